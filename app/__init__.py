@@ -1,0 +1,1 @@
+"""The dashboard: a viser page over the laboratory's processes."""
