@@ -1,0 +1,1 @@
+"""The laboratory's processes: spawned, watched, restarted; they die with the page's server."""
