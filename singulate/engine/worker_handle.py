@@ -1,0 +1,101 @@
+"""The engine's end of one local worker process."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections import deque
+from contextlib import suppress
+from multiprocessing import Pipe
+
+from singulate.engine.messages import DropBatch, RunTask
+
+MAX_PREFETCH_BYTES = 2**14
+"""A task larger than this is sent only to an idle worker: two full pipes would wait for ever."""
+
+_ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
+
+
+class WorkerHandle:
+    """Starts a worker and knows what it was given.
+
+    Args:
+        niceness: Added to the engine's own.
+
+    Attributes:
+        connection: Messages to and from the worker; at its end the worker is dead.
+        assigned: Tasks in the order in which the worker runs them; the first one is running.
+        is_ready: Whether it has ever answered.
+        deadline: When the running task counts as hung, by `time.monotonic` [s].
+    """
+
+    def __init__(self, niceness: int) -> None:
+        self.connection, child = Pipe()
+        self.assigned: deque[RunTask] = deque()
+        self.is_ready = False
+        self.deadline = float("inf")
+        with child:
+            arguments = [str(child.fileno()), str(os.getpid()), str(niceness)]
+            self._process = subprocess.Popen(
+                [sys.executable, "-m", "singulate.engine.worker", *arguments],
+                pass_fds=[child.fileno()],
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                env=os.environ
+                | _ONE_THREAD
+                | {"PYTHONPATH": os.pathsep.join(filter(None, sys.path))},
+            )
+        with suppress(BrokenPipeError, ConnectionResetError):
+            self.connection.send(list(sys.path))
+
+    @property
+    def pid(self) -> int:
+        """Process id."""
+        return self._process.pid
+
+    def take(self, task: RunTask, timeout_s: float) -> bool:
+        """Send a task to run, or to wait behind the running one.
+
+        Returns:
+            Whether it was sent; a large one waits until the worker is idle.
+        """
+        if self.assigned and task.num_bytes > MAX_PREFETCH_BYTES:
+            return False
+        self.send(task)
+        self.assigned.append(task)
+        if len(self.assigned) == 1:
+            self.deadline = time.monotonic() + timeout_s
+        return True
+
+    def finish_first(self, timeout_s: float) -> None:
+        """Note that the running task has ended and the next one, if any, has begun."""
+        self.assigned.popleft()
+        self.deadline = time.monotonic() + (timeout_s if self.assigned else float("inf"))
+
+    def send(self, message: RunTask | DropBatch) -> None:
+        """Send it; a dead worker is noticed where its messages are read."""
+        with suppress(BrokenPipeError, ConnectionResetError):
+            self.connection.send(message)
+
+    def kill(self) -> None:
+        """End the process at once."""
+        self._process.kill()
+
+    def end(self, grace_s: float = 0.0) -> str:
+        """Close the pipe, wait for the process, kill it after the grace.
+
+        Returns:
+            How it ended, for people.
+        """
+        self.connection.close()
+        give_up = time.monotonic() + grace_s
+        while self._process.poll() is None and time.monotonic() < give_up:
+            time.sleep(0.005)
+        status = self._process.poll()
+        if status is None:
+            self._process.kill()
+            status = self._process.wait()
+        if status < 0:
+            return signal.Signals(-status).name
+        return f"exit status {status}"
