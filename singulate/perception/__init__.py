@@ -1,0 +1,22 @@
+"""From camera frames to masks, distance maps, segments and their separations; arrays only."""
+
+from singulate.perception.distance_map import distance_map
+from singulate.perception.foreground import foreground_mask
+from singulate.perception.inter_object_distance import (
+    inter_object_distance,
+    truncated_inter_object_distance,
+)
+from singulate.perception.percept import Percept, perceive
+from singulate.perception.segments import label_segments
+from singulate.perception.separation import segment_separations
+
+__all__ = [
+    "Percept",
+    "distance_map",
+    "foreground_mask",
+    "inter_object_distance",
+    "label_segments",
+    "perceive",
+    "segment_separations",
+    "truncated_inter_object_distance",
+]
