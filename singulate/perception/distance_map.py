@@ -13,6 +13,9 @@ INSIDE = -1.0
 def distance_map(mask: npt.NDArray[np.bool_]) -> npt.NDArray[np.float32]:
     """Distance of every pixel's centre to the centre of the closest object pixel.
 
+    The last bit of OpenCV's distances depends on where in memory they lie. Their squares are whole
+    numbers, so rounding those and taking the root again gives the same bits in every process.
+
     Args:
         mask: Pixels that show objects, bool (H, W).
 
@@ -28,5 +31,6 @@ def distance_map(mask: npt.NDArray[np.bool_]) -> npt.NDArray[np.float32]:
         return np.full(mask.shape, math.hypot(*mask.shape), dtype=np.float32)
     background = (~mask).view(np.uint8)
     distances = cv2.distanceTransform(background, cv2.DIST_L2, cv2.DIST_MASK_PRECISE)
-    distances[mask] = INSIDE
-    return np.asarray(distances, dtype=np.float32)
+    exact: npt.NDArray[np.float32] = np.sqrt(np.rint(distances * distances))
+    exact[mask] = INSIDE
+    return exact
