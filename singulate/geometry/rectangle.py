@@ -17,7 +17,8 @@ def rectangle(
     hx, hy = half_extents
     local = np.array([[hx, hy], [-hx, hy], [-hx, -hy], [hx, -hy]])
     rotation = np.array([[cos, sin], [-sin, cos]])
-    return local @ rotation + np.asarray(centre)
+    corners: Polygon = local @ rotation + np.asarray(centre)
+    return corners
 
 
 def penetration(a: Polygon, b: Polygon) -> float:

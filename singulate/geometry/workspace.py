@@ -43,9 +43,7 @@ class Workspace:
         """Whether a point (x, y) [m] lies in the square, borders included."""
         return max(abs(x), abs(y)) <= self.half_length
 
-    def xy_to_row_col(
-        self, x: float, y: float, resolution: int | None = None
-    ) -> tuple[int, int]:
+    def xy_to_row_col(self, x: float, y: float, resolution: int | None = None) -> tuple[int, int]:
         """Cell that a point lies in; points outside fall into the nearest border cell.
 
         Args:
