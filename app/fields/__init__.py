@@ -1,0 +1,1 @@
+"""Pictures of fields over the table: arrays in, colours and small pieces of HTML out."""

@@ -1,0 +1,1 @@
+"""The panels beside the table: one file each, made of viser's widgets, fed with snapshots."""

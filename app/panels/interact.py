@@ -1,0 +1,158 @@
+"""Tab *Interact*: put up a scene, aim, push, let the agent push, watch."""
+
+import viser
+
+from app.choices import MAX_SEED, MAX_SPEED, MIN_SPEED, SCENARIOS
+from app.commands import (
+    AgentPush,
+    LoadPolicy,
+    ResetScene,
+    SetScenePaused,
+    SetSpeed,
+    SetWatching,
+    StepScene,
+    Undo,
+)
+from app.panels.checks import flag, number, one_of, whole_number
+from app.panels.context import PanelContext
+from app.panels.listening import listen, on_pick, on_press, show_value
+from app.panels.markup import block, dimmed, escape, show
+from app.panels.push_report import PushReportView
+from app.panels.watch import Watch
+from app.snapshot import SceneSnapshot, Snapshot
+from singulate.geometry import Direction
+
+CHOSEN = ("▲ up", "▶ right", "▼ down", "◀ left")
+OTHERS = ("△ up", "▷ right", "▽ down", "◁ left")
+NO_POLICY = "none loaded"
+
+
+class InteractPanel:
+    """The scene's controls and the report on the last push."""
+
+    def __init__(self, context: PanelContext) -> None:
+        self._context = context
+        self._scene: SceneSnapshot | None = None
+        self._sources: dict[str, str] = {}
+        self._scene_watch, self._policy_watch = Watch(), Watch()
+        self._direction_watch = Watch()
+        self._state = context.gui.add_html(_scene_html(None))
+        self._add_scene_controls()
+        self._add_agent_controls()
+        self._add_motion_controls()
+        self._report = PushReportView(context.gui)
+
+    def _add_scene_controls(self) -> None:
+        gui, context = self._context.gui, self._context
+        self._scenario = gui.add_dropdown("Scenario", SCENARIOS, initial_value="random-2")
+        self._seed = gui.add_number("Seed", 0, min=0, max=MAX_SEED, step=1)
+        self._scene_buttons = gui.add_button_group("Table", ("Reset", "Next seed", "Undo"))
+        self._directions = gui.add_button_group("Push", OTHERS, hint="Keys 1 to 4")
+        listen(self._scenario, one_of("scenario", SCENARIOS),
+               lambda _: self.reset(), context.report)  # fmt: skip
+        listen(self._seed, whole_number("seed", 0, MAX_SEED),
+               lambda _: self.reset(), context.report)  # fmt: skip
+        on_pick(self._scene_buttons, self._press_scene_button)
+        on_pick(self._directions, self._choose_direction)
+
+    def _add_agent_controls(self) -> None:
+        gui, context = self._context.gui, self._context
+        self._policy = gui.add_dropdown("Agent", (NO_POLICY,))
+        self._agent_push = gui.add_button("Agent pushes", icon=viser.Icon.ROBOT)
+        self._watching = gui.add_checkbox("Watch it play", False)
+        listen(self._policy, lambda value: one_of("agent", self._policy.options)(value),
+               self._load_policy, context.report)  # fmt: skip
+        listen(self._watching, flag("watch"),
+               lambda value: context.submit(SetWatching(value)), context.report)  # fmt: skip
+        on_press(self._agent_push, lambda: context.submit(AgentPush()))
+
+    def _add_motion_controls(self) -> None:
+        gui, context = self._context.gui, self._context
+        self._speed = gui.add_slider("Speed", MIN_SPEED, MAX_SPEED, 0.1, 1.0)
+        self._motion = gui.add_button_group("Motion", ("Pause", "One step"))
+        listen(self._speed, number("speed", MIN_SPEED, MAX_SPEED),
+               lambda value: context.submit(SetSpeed(value)), context.report)  # fmt: skip
+        on_pick(self._motion, lambda index: self.step() if index else self.pause_or_go())
+
+    def reset(self) -> None:
+        """Put up the scene that the form names.
+
+        Raises:
+            InvalidValueError: If the form holds a value that is not allowed.
+        """
+        scenario = one_of("scenario", SCENARIOS)(self._scenario.value)
+        seed = whole_number("seed", 0, MAX_SEED)(self._seed.value)
+        self._context.submit(ResetScene(scenario, seed))
+
+    def pause_or_go(self) -> None:
+        """Freeze the scene's motion, or release it."""
+        is_paused = self._scene is not None and self._scene.is_paused
+        self._context.submit(SetScenePaused(not is_paused))
+
+    def step(self) -> None:
+        """One simulation step; freezes the scene first where it is moving."""
+        if self._scene is not None and not self._scene.is_paused:
+            self._context.submit(SetScenePaused(True))
+        self._context.submit(StepScene())
+
+    def _press_scene_button(self, index: int) -> None:
+        if index == 1 and self._scene is not None:
+            seed = (self._scene.seed + 1) % (MAX_SEED + 1)
+            self._context.submit(ResetScene(self._scene.scenario, seed))
+        elif index == 2:
+            self._context.submit(Undo())
+        else:
+            self.reset()
+
+    def _choose_direction(self, index: int) -> None:
+        self._context.preferences.direction = Direction(index)
+
+    def _load_policy(self, label: str) -> None:
+        source = self._sources.get(label)
+        if source is not None:
+            self._context.submit(LoadPolicy(source))
+
+    def update(self, snapshot: Snapshot) -> None:
+        """Show a snapshot."""
+        self._scene = scene = snapshot.scene
+        direction = self._context.preferences.direction
+        if self._direction_watch.has_changed(direction):
+            self._directions.options = tuple(
+                CHOSEN[d] if d == direction else OTHERS[d] for d in Direction
+            )
+        self._update_policies(snapshot)
+        show(self._state, _scene_html(scene))
+        if scene is not None and self._scene_watch.has_changed(
+            scene.scenario, scene.seed, scene.speed, scene.is_paused, scene.is_watching
+        ):
+            if scene.scenario in SCENARIOS:
+                show_value(self._scenario, scene.scenario)
+            show_value(self._seed, scene.seed)
+            show_value(self._speed, min(max(scene.speed, MIN_SPEED), MAX_SPEED))
+            show_value(self._watching, scene.is_watching)
+            self._motion.options = ("Go on" if scene.is_paused else "Pause", "One step")
+        self._report.update(None if scene is None else scene.last_push)
+
+    def _update_policies(self, snapshot: Snapshot) -> None:
+        policy = snapshot.policy
+        current = NO_POLICY if policy is None else policy.label
+        if not self._policy_watch.has_changed(snapshot.policies, current):
+            return
+        self._sources = dict(snapshot.policies)
+        listed = tuple(self._sources)
+        options = listed if current in listed else (current, *listed)
+        self._policy.options = options
+        show_value(self._policy, current)
+        self._agent_push.disabled = policy is None
+        self._watching.disabled = policy is None
+
+
+def _scene_html(scene: SceneSnapshot | None) -> str:
+    if scene is None:
+        return block(dimmed("The table is being set up…"))
+    seen = f"camera sees {scene.num_segments} of {scene.num_blocks} blocks"
+    state = "singulated" if scene.is_success else seen
+    if scene.is_pushing:
+        state = f"{scene.pushed_by} pushing…"
+    paused = " · paused" if scene.is_paused else ""
+    return block(f"<b>{escape(scene.scenario)}</b> · seed {scene.seed}", dimmed(state + paused))

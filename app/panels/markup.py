@@ -1,0 +1,78 @@
+"""Pieces of HTML that all panels use, so that they look made by one hand.
+
+Colours come from the page's own variables and so follow light and dark. Texts from outside go
+through `escape`.
+"""
+
+from collections.abc import Sequence
+from html import escape
+
+import viser
+
+from app.fields.field_image import Rgba
+from app.fields.inline_image import data_uri
+
+__all__ = ["block", "dimmed", "escape", "picture", "show", "table", "title"]
+
+BORDER = "var(--mantine-color-default-border)"
+DIM = "var(--mantine-color-dimmed)"
+
+
+def block(*parts: str) -> str:
+    """Frame of every piece of text in a panel: same margins, same size."""
+    return (
+        '<div style="padding:0 10px 8px 10px;font-size:13px;line-height:18px;'
+        f'overflow-wrap:anywhere">{"".join(parts)}</div>'
+    )
+
+
+def title(text: str) -> str:
+    """A quiet heading inside a panel; `text` is escaped."""
+    return f'<div style="font-weight:500;padding:2px 0 4px 0">{escape(text)}</div>'
+
+
+def dimmed(text: str) -> str:
+    """A line of secondary text; `text` is escaped."""
+    return f'<div style="color:{DIM};font-size:12px;line-height:17px">{escape(text)}</div>'
+
+
+def picture(image: Rgba, alt: str, overlay: str = "") -> str:
+    """A square picture of the table, as wide as its column.
+
+    Args:
+        image: uint8 (H, W, 3 or 4).
+        alt: What it shows; escaped.
+        overlay: HTML placed over it.
+    """
+    return (
+        f'<div style="position:relative;line-height:0;border:1px solid {BORDER};'
+        'border-radius:3px;overflow:hidden;background:rgba(128,128,128,0.10)">'
+        f'<img alt="{escape(alt, quote=True)}" decoding="sync" src="{data_uri(image)}" '
+        'style="width:100%;aspect-ratio:1;image-rendering:pixelated;display:block">'
+        f"{overlay}</div>"
+    )
+
+
+def table(rows: Sequence[Sequence[str]], head: Sequence[str] = ()) -> str:
+    """A table whose first column is text and whose others are numbers; cells are HTML."""
+    cell = "padding:1px 0 1px 8px;text-align:right;font-variant-numeric:tabular-nums"
+    first = "padding:1px 0;text-align:left;font-weight:400"
+    lines = []
+    if head:
+        cells = "".join(
+            f'<th style="{first if i == 0 else cell};font-weight:400;color:{DIM}">{text}</th>'
+            for i, text in enumerate(head)
+        )
+        lines.append(f"<tr>{cells}</tr>")
+    for row in rows:
+        cells = "".join(
+            f'<td style="{first if i == 0 else cell}">{text}</td>' for i, text in enumerate(row)
+        )
+        lines.append(f"<tr>{cells}</tr>")
+    return f'<table style="width:100%;border-collapse:collapse">{"".join(lines)}</table>'
+
+
+def show(handle: viser.GuiHtmlHandle, content: str) -> None:
+    """Put text on the page if it differs from what is there."""
+    if handle.content != content:
+        handle.content = content

@@ -1,0 +1,78 @@
+"""What the last push was expected to bring, what it brought, and what the camera saw."""
+
+import viser
+
+from app.fields.field_image import segment_image
+from app.panels.markup import block, dimmed, escape, picture, show, table, title
+from app.panels.watch import Watch
+from app.snapshot import PushReport
+
+OUTCOMES = {
+    "success": "singulated",
+    "empty": "nothing moved",
+    "inside": "started inside a block",
+    "off_table": "a block left the table",
+    "not_separated": "not separated",
+}
+TERM_LABELS = {
+    "start": "close start",
+    "distance": "distance gained",
+    "inside": "inside penalty",
+    "success": "success",
+}
+
+
+class PushReportView:
+    """A table of reward terms over two small segmentations."""
+
+    def __init__(self, gui: viser.GuiApi) -> None:
+        self._watch = Watch()
+        self._html = gui.add_html(push_report_html(None))
+
+    def update(self, report: PushReport | None) -> None:
+        """Show the last push, if it is another one."""
+        parts = (None,) if report is None else (report.label_images[1], report.push, report.reward)
+        if self._watch.has_changed(*parts):
+            show(self._html, push_report_html(report))
+
+
+def push_report_html(report: PushReport | None) -> str:
+    """The report as HTML."""
+    if report is None:
+        hint = "Click the table to push, or drag an arrow. The result appears here."
+        return block(title("Last push"), dimmed(hint))
+    x, y = report.push.start
+    outcome = OUTCOMES.get(report.outcome, report.outcome)
+    direction = report.push.nearest_direction.label
+    where = f"{report.by}: {direction} from ({x:.2f}, {y:.2f}) m"
+    return block(
+        title(f"Last push: {outcome}"), dimmed(where), _terms_table(report), _segmentations(report)
+    )
+
+
+def _terms_table(report: PushReport) -> str:
+    rows = [
+        (escape(TERM_LABELS.get(name, name)), "", _points(value))
+        for name, value in report.weighted_terms.items()
+    ]
+    predicted = "\N{EN DASH}" if report.predicted is None else _points(report.predicted)
+    rows.append(("<b>reward</b>", predicted, f"<b>{_points(report.reward)}</b>"))
+    if report.predicted is not None:
+        error = report.predicted - report.reward
+        rows.append(("predicted \N{MINUS SIGN} actual", "", f"{error:+.0f}"))
+    return table(rows, ("", "predicted", "actual"))
+
+
+def _segmentations(report: PushReport) -> str:
+    figures = "".join(
+        f'<div style="flex:1">{picture(segment_image(image), f"segmentation {when}")}'
+        f"{dimmed(f'{when}: {count} segment' + ('' if count == 1 else 's'))}</div>"
+        for when, image, count in zip(
+            ("before", "after"), report.label_images, report.num_segments, strict=True
+        )
+    )
+    return f'<div style="display:flex;gap:8px;padding-top:6px">{figures}</div>'
+
+
+def _points(value: float) -> str:
+    return f"{value:.0f}" if abs(value) >= 0.5 else "0"

@@ -1,0 +1,132 @@
+"""Left panel: the watched training run and the form for a new one."""
+
+import viser
+
+from app.choices import AGENTS, MAX_SEED, MAX_TIMESTEPS, SCENARIOS
+from app.commands import (
+    PauseTraining,
+    ResumeTraining,
+    SaveCheckpoint,
+    StartTraining,
+    StopTraining,
+    WatchRun,
+)
+from app.panels.checks import one_of, whole_number
+from app.panels.context import PanelContext
+from app.panels.listening import listen, on_press, show_value
+from app.panels.markup import block, dimmed, escape, show
+from app.panels.status_text import STATE_COLOURS, age_text, progress_text
+from app.panels.train_button import train_button
+from app.panels.watch import Watch
+from app.snapshot import RunSnapshot, Snapshot
+
+NO_RUN = "none yet"
+
+
+class RunPanel:
+    """Status line, progress, the train button, and settings of a new run."""
+
+    def __init__(self, context: PanelContext) -> None:
+        self._context = context
+        self._run: RunSnapshot | None = None
+        self._watch, self._runs_watch = Watch(), Watch()
+        gui = context.gui
+        self._status = gui.add_html(_status_html(None))
+        self._progress = gui.add_progress_bar(0.0, visible=False)
+        self._train = gui.add_button("Start training", icon=viser.Icon.PLAYER_PLAY)
+        self._save = gui.add_button("Save checkpoint", color="gray", disabled=True)
+        self._stop = gui.add_button("Stop after this rollout", color="gray", disabled=True)
+        on_press(self._train, self.train_or_pause, context.report)
+        on_press(self._save, lambda: context.submit(SaveCheckpoint()))
+        on_press(self._stop, lambda: context.submit(StopTraining()))
+        self._add_form()
+
+    def _add_form(self) -> None:
+        gui, context = self._context.gui, self._context
+        with gui.add_folder("New run"):
+            self._agent = gui.add_dropdown("Agent", AGENTS, initial_value="dqn")
+            self._scenario = gui.add_dropdown("Scenario", SCENARIOS, initial_value="random-2")
+            self._steps = gui.add_number("Pushes", 20_000, min=1, max=MAX_TIMESTEPS, step=1000)
+            self._seed = gui.add_number("Seed", 0, min=0, max=MAX_SEED, step=1)
+            self._new = gui.add_button("Start new run", color="gray")
+        on_press(self._new, self._start, context.report)
+        self._runs = gui.add_dropdown("Watch run", (NO_RUN,), visible=False)
+        listen(
+            self._runs,
+            lambda value: one_of("run", self._runs.options)(value),
+            lambda value: None if value == NO_RUN else context.submit(WatchRun(value)),
+            context.report,
+        )
+
+    def train_or_pause(self) -> None:
+        """What the train button does in the present state; also behind key T.
+
+        Raises:
+            InvalidValueError: If the form for a new run holds a value that is not allowed.
+        """
+        action = train_button(self._run).action
+        if action == "start":
+            self._start()
+        elif action == "pause":
+            self._context.submit(PauseTraining())
+        elif action == "resume":
+            self._context.submit(ResumeTraining())
+
+    def _start(self) -> None:
+        self._context.submit(
+            StartTraining(
+                agent=one_of("agent", AGENTS)(self._agent.value),
+                scenario=one_of("scenario", SCENARIOS)(self._scenario.value),
+                total_timesteps=whole_number("pushes", 1, MAX_TIMESTEPS)(self._steps.value),
+                seed=whole_number("seed", 0, MAX_SEED)(self._seed.value),
+            )
+        )
+
+    def update(self, snapshot: Snapshot) -> None:
+        """Show a snapshot."""
+        self._run = run = snapshot.run
+        if self._runs_watch.has_changed(snapshot.runs, run.run_dir if run else ""):
+            self._update_runs(snapshot.runs, run)
+        show(self._status, _status_html(run))
+        if not self._watch.has_changed(run and (run.state, run.num_steps, run.total_steps)):
+            return
+        state = run.state if run else ""
+        button = train_button(run)
+        self._train.label = button.label
+        self._train.disabled = button.action is None
+        self._train.icon = (
+            viser.Icon.PLAYER_PAUSE if button.action == "pause" else viser.Icon.PLAYER_PLAY
+        )
+        self._save.disabled = state not in {"running", "paused"}
+        self._stop.disabled = state not in {"running", "paused"}
+        self._new.disabled = state in {"starting", "running", "pausing", "paused", "stopping"}
+        self._progress.visible = run is not None
+        if run is not None and run.total_steps > 0:
+            show_value(self._progress, min(100.0, 100.0 * run.num_steps / run.total_steps))
+            self._progress.animated = state == "running"
+
+    def _update_runs(self, runs: tuple[str, ...], run: RunSnapshot | None) -> None:
+        current = run.run_dir if run else NO_RUN
+        options = runs if current in runs else (current, *runs)
+        self._runs.options = options
+        show_value(self._runs, current)
+        self._runs.visible = len(options) > 1
+
+
+def _status_html(run: RunSnapshot | None) -> str:
+    if run is None:
+        return block(dimmed("No training yet. Start one below; the table works without it."))
+    colour = STATE_COLOURS.get(run.state, "#868e96")
+    dot = (
+        f'<span style="display:inline-block;width:8px;height:8px;border-radius:4px;'
+        f'background:{colour};margin-right:6px"></span>'
+    )
+    headline = f"<div>{dot}<b>{escape(run.state)}</b> · {escape(run.agent)} · " + (
+        f"{escape(run.scenario)}</div>"
+    )
+    reason = (
+        f'<div style="color:{STATE_COLOURS["failed"]};font-size:12px">{escape(run.reason)}</div>'
+        if run.reason
+        else ""
+    )
+    return block(headline, dimmed(progress_text(run)), dimmed(age_text(run)), reason)
