@@ -120,7 +120,7 @@ def _parse_block(index: int, block: object) -> Block:
 def _number(key: str, value: object) -> float:
     try:
         number = float(value)  # type: ignore[arg-type]
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise InvalidValueError(key, value, "a finite number") from None
     if isinstance(value, bool | str) or not math.isfinite(number):
         raise InvalidValueError(key, value, "a finite number")

@@ -19,7 +19,7 @@ def test_hand_worked_map_of_one_pixel() -> None:
     mask = np.zeros((3, 4), bool)
     mask[1, 1] = True
     r2, r5 = math.sqrt(2), math.sqrt(5)
-    expected = [[r2, 1, r2, r5], [1, -1, 1, 2], [r2, 1, r2, r5]]
+    expected = np.array([[r2, 1, r2, r5], [1, -1, 1, 2], [r2, 1, r2, r5]])
     result = distance_map(mask)
     assert result.dtype == np.float32
     np.testing.assert_allclose(result, expected, rtol=1e-6)
