@@ -59,4 +59,5 @@ def _box_penetration(
     reach = (normals * polygon).sum(axis=1)  # (K,)
     nearest = centres @ normals.T - np.abs(normals) @ half  # (H, W, K)
     depth: npt.NDArray[np.float64] = np.minimum(below, above).min(axis=-1)
-    return np.minimum(depth, (reach - nearest).min(axis=-1), out=depth)
+    np.minimum(depth, (reach - nearest).min(axis=-1), out=depth)
+    return depth

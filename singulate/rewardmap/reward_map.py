@@ -80,7 +80,7 @@ def load_reward_map(path: Path) -> RewardMap:
         InvalidValueError: If the file cannot be read or is not a reward map.
     """
     try:
-        with np.load(path, allow_pickle=False) as data:
+        with path.open("rb") as file, np.load(file, allow_pickle=False) as data:
             return _parse({name: data[name] for name in data.files})
     except (OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile) as error:
         reason = f"{type(error).__name__}: {error}".splitlines()[0]

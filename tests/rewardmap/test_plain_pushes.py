@@ -44,20 +44,20 @@ def test_the_number_of_workers_changes_nothing(engine: LocalEngine, pushed_poses
 
 
 def test_a_start_on_a_block_pays_the_penalty(engine: LocalEngine, row_poses: Poses) -> None:
-    values = compute_reward_map(RewardMapRequest(row_poses, resolution=64), engine).values
+    values = compute_reward_map(RewardMapRequest(row_poses, resolution=16), engine).values
     for pose in row_poses:
-        row, col = Workspace().xy_to_row_col(*pose.position[:2])
+        row, col = Workspace().xy_to_row_col(*pose.position[:2], resolution=16)
         assert (values[:, row, col] == -100.0).all()
 
 
 def test_fixed_row_has_a_winning_push_that_a_mirror_shows_too(engine: LocalEngine) -> None:
     layout = make_scenario("fixed-2").sample(np.random.default_rng(0), Workspace())
     poses = tuple(standing_pose(block) for block in layout)
-    values = compute_reward_map(RewardMapRequest(poses, resolution=32), engine).values
+    values = compute_reward_map(RewardMapRequest(poses, resolution=20), engine).values
     wins = values > 1000.0
     assert wins[Direction.UP].any()
     assert wins[Direction.DOWN].any()
-    assert not wins[Direction.UP, :8].any()  # above the blocks, pushing away from them
+    assert not wins[Direction.UP, :5].any()  # above the blocks, pushing away from them
 
 
 @pytest.mark.parametrize("reward", sorted(REWARDS))
