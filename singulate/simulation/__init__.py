@@ -1,8 +1,15 @@
-"""The table in Bullet: scenes, pushes, the camera and the scenarios."""
+"""The table in Bullet: scenes, pushes, the camera and the scenarios.
+
+Bullet is loaded by the first use of `Scene`: whoever needs scenarios alone does without it.
+"""
+
+from typing import TYPE_CHECKING, Any
 
 from singulate.simulation.physics import Physics
 from singulate.simulation.scenarios import SCENARIO_FAMILIES, Scenario, make_scenario
-from singulate.simulation.scene import PushFrame, PushOutcome, Scene
+
+if TYPE_CHECKING:
+    from singulate.simulation.scene import PushFrame, PushOutcome, Scene
 
 __all__ = [
     "SCENARIO_FAMILIES",
@@ -13,3 +20,11 @@ __all__ = [
     "Scene",
     "make_scenario",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    if name in ("PushFrame", "PushOutcome", "Scene"):
+        from singulate.simulation import scene
+
+        return getattr(scene, name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
