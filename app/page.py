@@ -20,6 +20,7 @@ from app.panels.interact import InteractPanel
 from app.panels.listening import listen
 from app.panels.notices import NoticesView
 from app.panels.run import RunPanel
+from app.panels.secondary import SecondaryButtons
 from app.panels.starts import StartsPanel
 from app.panels.training import TrainingPanel
 from app.panels.watch import Throttle, Watch
@@ -28,7 +29,7 @@ from app.snapshot import Snapshot
 from singulate.geometry import Direction, Workspace
 
 LEFT_WIDTH, RIGHT_WIDTH = 264, 360
-BRAND = (34, 139, 230)
+BRAND = (24, 100, 171)
 DRAPE_INTERVAL = 0.1
 """Shortest time between two pictures on the table [s]."""
 PICTURE_SIZE = (1080, 1920)
@@ -51,7 +52,10 @@ class ClientPage:
         self._workspace = Workspace()
         self._draped: DrapedField | None = None
         self._drape_watch, self._drape_throttle = Watch(), Throttle(DRAPE_INTERVAL)
-        self._context = PanelContext(client.gui, submit, self.preferences, self._report)
+        self._secondary = SecondaryButtons(client.gui, self.preferences.is_dark)
+        self._context = PanelContext(
+            client.gui, submit, self.preferences, self._report, self._secondary
+        )
         self._apply_theme()
         with client.atomic():
             self._add_left()
@@ -65,7 +69,7 @@ class ClientPage:
         gui.main_panel.set_width(LEFT_WIDTH)
         self._notices = NoticesView(self._context)
         self._run = RunPanel(self._context)
-        dark = gui.add_checkbox("Dark", self.preferences.is_dark)
+        dark = gui.add_checkbox("Dark theme", self.preferences.is_dark)
         listen(dark, flag("dark"), self._set_dark, self._report)
 
     def _add_right(self) -> None:
@@ -171,6 +175,7 @@ class ClientPage:
 
     def _set_dark(self, is_dark: bool) -> None:
         self.preferences.is_dark = is_dark
+        self._secondary.paint(is_dark)
         self._apply_theme()
 
     def _apply_theme(self) -> None:
@@ -193,5 +198,5 @@ class ClientPage:
         modal = self._client.gui.add_modal("Keys")
         with modal:
             self._client.gui.add_markdown(HELP_TEXT)
-            close = self._client.gui.add_button("Close", color="gray")
+            close = self._secondary.add("Close")
         close.on_click(lambda _: modal.close())

@@ -27,12 +27,12 @@ def legend_html(span: Span, colormap: Colormap, unit: str = "") -> str:
     """A colour bar with its two ends, and its middle, in numbers."""
     low, high = span
     middle = (low + high) / 2
-    numbers = "".join(f"<span>{short_number(value)}</span>" for value in (low, middle, high))
-    suffix = f"<span>{unit}</span>" if unit else ""
+    texts = (short_number(low), short_number(middle), f"{short_number(high)} {unit}".rstrip())
+    numbers = "".join(f"<span>{text}</span>" for text in texts)
     return (
         '<div class="singulate-legend">'
         f'<div style="height:8px;border-radius:2px;background:{colormap.css_gradient}"></div>'
         '<div style="display:flex;justify-content:space-between;font-size:11px;line-height:16px;'
-        f'color:var(--mantine-color-dimmed);font-variant-numeric:tabular-nums">{numbers}{suffix}'
+        f'color:var(--mantine-color-dimmed);font-variant-numeric:tabular-nums">{numbers}'
         "</div></div>"
     )

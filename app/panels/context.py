@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 import viser
 
 from app.commands import Command
+from app.panels.secondary import SecondaryButtons
 from app.preferences import Preferences
 from singulate.geometry import Workspace
 
@@ -19,6 +20,7 @@ class PanelContext:
         submit: Takes commands to the laboratory; returns at once.
         preferences: This client's choices.
         report: Tells this client alone that a value was not accepted.
+        secondary: Makes quiet buttons.
         workspace: The table.
     """
 
@@ -26,4 +28,5 @@ class PanelContext:
     submit: Callable[[Command], None]
     preferences: Preferences
     report: Callable[[str], None]
+    secondary: SecondaryButtons
     workspace: Workspace = field(default_factory=Workspace)

@@ -39,12 +39,14 @@ class FieldsPanel:
         self._opacity = gui.add_slider("Opacity", 0.0, 1.0, 0.05, preferences.opacity)
         self._span = gui.add_dropdown("Colours span", SPANS, initial_value=preferences.span)
         self._legend = gui.add_html(block(dimmed("Nothing on the table.")))
-        self._inspects = gui.add_checkbox("Click inspects", preferences.click_inspects)
-        self._inspection = gui.add_html("")
         self._all = gui.add_checkbox("All directions", preferences.shows_all_directions)
         self._reward = gui.add_html("")
         self._q = gui.add_html("")
         self._inputs = gui.add_html("")
+        self._inspects = gui.add_checkbox(
+            "Click inspects", preferences.click_inspects, hint="Instead of pushing"
+        )
+        self._inspection = gui.add_html("")
         self._listen()
 
     def _listen(self) -> None:
@@ -116,7 +118,7 @@ class FieldsPanel:
         stack = values.astype(np.float32, copy=False)
         spans = tuple(span_of(kind, each, stack, snapshot, preferences) for each in stack)
         shares = preferences.span != "each field"
-        return block(title(kind.label), montage_html(kind, stack, spans, shares), dimmed(line))
+        return block(title(kind.label, line), montage_html(kind, stack, spans, shares))
 
     def _update_inputs(self, snapshot: Snapshot) -> None:
         scene, policy = snapshot.scene, snapshot.policy
@@ -151,11 +153,13 @@ def _legend_html(snapshot: Snapshot, key: str, draped: DrapedField | None) -> st
     kind = FIELDS_BY_KEY[key]
     if key == "none":
         return block(dimmed("Nothing lies on the table."))
-    lines = []
+    notes = []
     if "reward_map" in kind.needs:
-        lines.append(dimmed(f"Reward map: {reward_map_line(snapshot)}"))
+        notes.append(reward_map_line(snapshot))
     if kind.needs & {"q_map", "start_density"}:
-        lines.append(dimmed(f"Agent: {policy_line(snapshot)}"))
+        notes.append(policy_line(snapshot))
     if draped is None:
-        return block(dimmed(f"{kind.label}: nothing to show yet."), *lines)
-    return block(title(draped.label), draped.legend, *lines)
+        return block(title(kind.label, "nothing to show yet"), *map(dimmed, notes))
+    if len(notes) == 1:
+        return block(title(draped.label, notes[0]), draped.legend)
+    return block(title(draped.label), draped.legend, *map(dimmed, notes))

@@ -47,7 +47,7 @@ class InteractPanel:
         self._scenario = gui.add_dropdown("Scenario", SCENARIOS, initial_value="random-2")
         self._seed = gui.add_number("Seed", 0, min=0, max=MAX_SEED, step=1)
         self._scene_buttons = gui.add_button_group("Table", ("Reset", "Next seed", "Undo"))
-        self._directions = gui.add_button_group("Push", OTHERS, hint="Keys 1 to 4")
+        self._directions = gui.add_button_group("Push towards", OTHERS, hint="Keys 1 to 4")
         listen(self._scenario, one_of("scenario", SCENARIOS),
                lambda _: self.reset(), context.report)  # fmt: skip
         listen(self._seed, whole_number("seed", 0, MAX_SEED),

@@ -26,9 +26,13 @@ def block(*parts: str) -> str:
     )
 
 
-def title(text: str) -> str:
-    """A quiet heading inside a panel; `text` is escaped."""
-    return f'<div style="font-weight:500;padding:2px 0 4px 0">{escape(text)}</div>'
+def title(text: str, note: str = "") -> str:
+    """A quiet heading inside a panel, with a dimmed note at its right; both are escaped."""
+    return (
+        '<div style="display:flex;justify-content:space-between;align-items:baseline;gap:8px;'
+        f'padding:2px 0 4px 0"><span style="font-weight:500">{escape(text)}</span>'
+        f'<span style="color:{DIM};font-size:12px;text-align:right">{escape(note)}</span></div>'
+    )
 
 
 def dimmed(text: str) -> str:

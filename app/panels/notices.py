@@ -18,7 +18,7 @@ class NoticesView:
         self._watch = Watch()
         self._notices: tuple[Notice, ...] = ()
         self._html = context.gui.add_html("", visible=False)
-        self._dismiss = context.gui.add_button("Dismiss", color="gray", visible=False)
+        self._dismiss = context.secondary.add("Dismiss", visible=False)
         on_press(self._dismiss, self._dismiss_all)
 
     def _dismiss_all(self) -> None:

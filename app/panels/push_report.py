@@ -46,7 +46,10 @@ def push_report_html(report: PushReport | None) -> str:
     direction = report.push.nearest_direction.label
     where = f"{report.by}: {direction} from ({x:.2f}, {y:.2f}) m"
     return block(
-        title(f"Last push: {outcome}"), dimmed(where), _terms_table(report), _segmentations(report)
+        title(f"Last push: {outcome}"),
+        dimmed(where),
+        '<div style="display:flex;gap:16px;padding-top:4px">'
+        f'<div style="flex:1">{_terms_table(report)}</div>{_segmentations(report)}</div>',
     )
 
 
@@ -65,13 +68,13 @@ def _terms_table(report: PushReport) -> str:
 
 def _segmentations(report: PushReport) -> str:
     figures = "".join(
-        f'<div style="flex:1">{picture(segment_image(image), f"segmentation {when}")}'
-        f"{dimmed(f'{when}: {count} segment' + ('' if count == 1 else 's'))}</div>"
+        f"<div>{picture(segment_image(image), f'segmentation {when}')}"
+        f"{dimmed(f'{when}: {count} part' + ('' if count == 1 else 's'))}</div>"
         for when, image, count in zip(
             ("before", "after"), report.label_images, report.num_segments, strict=True
         )
     )
-    return f'<div style="display:flex;gap:8px;padding-top:6px">{figures}</div>'
+    return f'<div style="width:88px">{figures}</div>'
 
 
 def _points(value: float) -> str:

@@ -1,5 +1,8 @@
 """Left panel: the watched training run and the form for a new one."""
 
+from collections import Counter
+from pathlib import PurePath
+
 import viser
 
 from app.choices import AGENTS, MAX_SEED, MAX_TIMESTEPS, SCENARIOS
@@ -29,13 +32,14 @@ class RunPanel:
     def __init__(self, context: PanelContext) -> None:
         self._context = context
         self._run: RunSnapshot | None = None
+        self._run_dirs: dict[str, str] = {}
         self._watch, self._runs_watch = Watch(), Watch()
         gui = context.gui
         self._status = gui.add_html(_status_html(None))
         self._progress = gui.add_progress_bar(0.0, visible=False)
         self._train = gui.add_button("Start training", icon=viser.Icon.PLAYER_PLAY)
-        self._save = gui.add_button("Save checkpoint", color="gray", disabled=True)
-        self._stop = gui.add_button("Stop after this rollout", color="gray", disabled=True)
+        self._save = context.secondary.add("Save checkpoint", disabled=True)
+        self._stop = context.secondary.add("Stop after this rollout", disabled=True)
         on_press(self._train, self.train_or_pause, context.report)
         on_press(self._save, lambda: context.submit(SaveCheckpoint()))
         on_press(self._stop, lambda: context.submit(StopTraining()))
@@ -48,15 +52,20 @@ class RunPanel:
             self._scenario = gui.add_dropdown("Scenario", SCENARIOS, initial_value="random-2")
             self._steps = gui.add_number("Pushes", 20_000, min=1, max=MAX_TIMESTEPS, step=1000)
             self._seed = gui.add_number("Seed", 0, min=0, max=MAX_SEED, step=1)
-            self._new = gui.add_button("Start new run", color="gray")
+            self._new = context.secondary.add("Start new run")
         on_press(self._new, self._start, context.report)
         self._runs = gui.add_dropdown("Watch run", (NO_RUN,), visible=False)
         listen(
             self._runs,
             lambda value: one_of("run", self._runs.options)(value),
-            lambda value: None if value == NO_RUN else context.submit(WatchRun(value)),
+            self._watch_run,
             context.report,
         )
+
+    def _watch_run(self, name: str) -> None:
+        run_dir = self._run_dirs.get(name)
+        if run_dir is not None:
+            self._context.submit(WatchRun(run_dir))
 
     def train_or_pause(self) -> None:
         """What the train button does in the present state; also behind key T.
@@ -106,11 +115,28 @@ class RunPanel:
             self._progress.animated = state == "running"
 
     def _update_runs(self, runs: tuple[str, ...], run: RunSnapshot | None) -> None:
-        current = run.run_dir if run else NO_RUN
-        options = runs if current in runs else (current, *runs)
+        current = run.run_dir if run else ""
+        listed = runs if run is None or current in runs else (current, *runs)
+        self._run_dirs = name_runs(listed)
+        options = tuple(self._run_dirs) if run else (NO_RUN, *self._run_dirs)
+        names = {run_dir: name for name, run_dir in self._run_dirs.items()}
         self._runs.options = options
-        show_value(self._runs, current)
+        show_value(self._runs, names.get(current, NO_RUN))
         self._runs.visible = len(options) > 1
+
+
+def name_runs(run_dirs: tuple[str, ...]) -> dict[str, str]:
+    """Short names of run directories; those that would share one keep their whole path.
+
+    Example:
+        >>> name_runs(("/runs/a", "/runs/b", "/old/b"))
+        {'a': '/runs/a', '/runs/b': '/runs/b', '/old/b': '/old/b'}
+    """
+    counts = Counter(PurePath(run_dir).name for run_dir in run_dirs)
+    return {
+        PurePath(run_dir).name if counts[PurePath(run_dir).name] == 1 else run_dir: run_dir
+        for run_dir in run_dirs
+    }
 
 
 def _status_html(run: RunSnapshot | None) -> str:

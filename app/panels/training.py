@@ -51,7 +51,9 @@ def _add_chart(gui: viser.GuiApi, spec: ChartSpec) -> viser.GuiUplotHandle:
         ),
         title=spec.title,
         scales={"x": uplot.Scale(time=False)},
+        axes=(uplot.Axis(size=26), uplot.Axis(size=54)),
         legend=uplot.Legend(show=False),
+        padding=(4, 12, 0, 0),
         height=CHART_HEIGHT,
         visible=False,
     )
