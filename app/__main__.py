@@ -1,0 +1,57 @@
+"""``python -m app``: start the dashboard and print where it is."""
+
+import signal
+import sys
+import threading
+import webbrowser
+from collections.abc import Sequence
+
+from app.laboratory import Laboratory
+from app.loop import Dashboard
+from app.options import Options, parse_options
+from app.security import AccessPolicy
+from app.server import bind, open_server
+from singulate.exceptions import SingulateError
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the dashboard until it is interrupted.
+
+    Returns:
+        Exit status: 0 after an interruption, 2 with one line of explanation for bad options.
+    """
+    try:
+        serve(parse_options(arguments))
+    except SingulateError as error:
+        print(f"singulate: error: {error}", file=sys.stderr)
+        return 2
+    return 0
+
+
+def serve(options: Options) -> None:
+    """Open the door, start the laboratory, and draw until the process is asked to stop.
+
+    Raises:
+        SingulateError: If an option is not allowed, or the port is taken.
+    """
+    listener = bind(options.host, options.port)
+    port: int = listener.getsockname()[1]
+    policy = AccessPolicy(options.host, port, options.token)
+    laboratory = Laboratory(scenario=options.scenario, seed=options.seed, run_dir=options.run)
+    stop = threading.Event()
+    try:
+        server = open_server(listener, policy)
+        dashboard = Dashboard(server, laboratory)
+        for number in (signal.SIGINT, signal.SIGTERM):
+            signal.signal(number, lambda *_: stop.set())
+        print(f"singulate: open {policy.url}", flush=True)
+        if options.opens_browser:
+            webbrowser.open(policy.url)
+        dashboard.run(stop)
+        server.stop()
+    finally:
+        laboratory.close()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

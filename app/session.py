@@ -1,0 +1,110 @@
+"""One browser: its page, its aim, and what it alone sees of the table."""
+
+from collections.abc import Callable
+
+import viser
+
+from app.aim import Aim
+from app.commands import Command, PushNow
+from app.page import ClientPage
+from app.pointer import Point, Pointer, PointerActions
+from app.snapshot import SceneSnapshot, Snapshot
+from app.views.arrows import aim_arrow, ghost_arrow
+from app.views.camera import CameraView
+from app.views.field import FieldView
+from app.views.palette import surface
+from app.views.pusher import PusherNameView
+from app.views.table import TableView
+from singulate.geometry import Push, Workspace
+
+
+class ClientSession:
+    """All that is made when a browser connects and forgotten when it leaves.
+
+    Args:
+        client: The browser.
+        name: What the others call this person.
+        submit: Takes commands to the laboratory.
+        workspace: The table.
+    """
+
+    def __init__(
+        self,
+        client: viser.ClientHandle,
+        name: str,
+        submit: Callable[[Command], None],
+        workspace: Workspace,
+    ) -> None:
+        self.client = client
+        self.name = name
+        self.page = ClientPage(client, submit)
+        self._submit = submit
+        self._workspace = workspace
+        self._start: Point | None = None
+        self._table = TableView(client.scene, workspace)
+        self._field = FieldView(client.scene, workspace)
+        self._aim_arrow = aim_arrow(client.scene)
+        self._ghost = ghost_arrow(client.scene)
+        self._pusher_name = PusherNameView(client.scene)
+        self._is_dark = False
+        actions = PointerActions(self._click, self._take_aim, self._release)
+        self._pointer = Pointer(client, self._table.top, workspace, actions)
+        self._camera = CameraView(client, workspace)
+        top = client.gui.add_command("View from the top", hotkey="C")
+        top.on_trigger(lambda _: self._camera.look_from_top())
+
+    @property
+    def aim(self) -> Aim:
+        """Where this person's next push would start, and in which direction."""
+        return Aim(self._start, self.page.direction)
+
+    def update(self, snapshot: Snapshot) -> None:
+        """Show a snapshot."""
+        self._camera.update()
+        self.page.update(snapshot)
+        self._follow_theme(self.page.is_dark)
+        self._field.update(self.page.draped)
+        scene = snapshot.scene
+        is_pushing = scene is not None and scene.is_pushing
+        self._aim_arrow.update(None if is_pushing else self.aim.push(self._workspace))
+        if scene is not None:
+            self._ghost.update(_ghost(scene))
+            is_other = scene.is_pushing and scene.pushed_by != self.name
+            self._pusher_name.update(scene.pushed_by if is_other else "", scene.pusher)
+
+    def close(self) -> None:
+        """Let go of the page."""
+        self.page.close()
+
+    def _click(self, point: Point) -> None:
+        if self.page.inspect(point):
+            return
+        self._start = point
+        self._push(self.aim)
+
+    def _take_aim(self, aim: Aim | None) -> None:
+        if aim is not None:
+            self._start = aim.start
+            self.page.set_direction(aim.direction)
+
+    def _release(self, aim: Aim) -> None:
+        self._take_aim(aim)
+        self._push(aim)
+
+    def _push(self, aim: Aim) -> None:
+        push = aim.push(self._workspace)
+        if push is not None:
+            self._submit(PushNow(push, by=self.name))
+
+    def _follow_theme(self, is_dark: bool) -> None:
+        if is_dark == self._is_dark:
+            return
+        self._is_dark = is_dark
+        self._table.update(is_dark)
+        self._ghost.paint(surface(is_dark).ghost)
+
+
+def _ghost(scene: SceneSnapshot) -> Push | None:
+    if scene.is_pushing:
+        return scene.active_push
+    return None if scene.last_push is None else scene.last_push.push

@@ -1,0 +1,150 @@
+"""Where a browser looks from."""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+import viser
+
+from app.views.table import MARGIN
+from singulate.geometry import Workspace
+
+FIELD_OF_VIEW = math.radians(32.0)
+"""Narrow, so that the far side of the table is hardly smaller than the near one."""
+TILT = math.radians(20.0)
+"""Angle between the initial view and straight down."""
+FILL = 0.97
+"""Share of the picture that the table may take."""
+_ALMOST_STRAIGHT_DOWN = math.radians(0.1)
+"""viser's orbit needs a little tilt to know which side is up."""
+
+Point = tuple[float, float, float]
+
+
+class CameraPose(NamedTuple):
+    """A view of the table: where from, and at what [m]."""
+
+    position: Point
+    look_at: Point
+
+
+def tilted_view(workspace: Workspace, aspect: float) -> CameraPose:
+    """The view that a page opens with: all of the table, slightly from the front."""
+    return _fit(workspace, aspect, TILT)
+
+
+def top_view(workspace: Workspace, aspect: float) -> CameraPose:
+    """The camera's own view: all of the table, from straight above, +y up."""
+    return _fit(workspace, aspect, _ALMOST_STRAIGHT_DOWN)
+
+
+class CameraView:
+    """Keeps the whole table in one browser's picture until its owner moves the camera.
+
+    Panels that dock and windows that change their size change the picture's proportions; the
+    camera then steps back or comes closer, unless somebody has moved it by hand.
+    """
+
+    def __init__(self, client: viser.ClientHandle, workspace: Workspace) -> None:
+        self._client = client
+        self._workspace = workspace
+        self._aspect = 0.0
+        self._view = tilted_view
+        self._pose: CameraPose | None = None
+
+    def update(self) -> None:
+        """Follow the picture's proportions."""
+        aspect = _aspect(self._client)
+        if aspect != self._aspect and (self._pose is None or self._is_at(self._pose)):
+            self._show(aspect)
+
+    def look_from_top(self) -> None:
+        """Take the view from straight above."""
+        self._view = top_view
+        self._show(_aspect(self._client))
+
+    def _show(self, aspect: float) -> None:
+        self._aspect = aspect
+        self._pose = self._view(self._workspace, aspect)
+        camera = self._client.camera
+        with self._client.atomic():
+            camera.fov = FIELD_OF_VIEW
+            camera.up_direction = (0.0, 0.0, 1.0)
+            camera.position = self._pose.position
+            camera.look_at = self._pose.look_at
+
+    def _is_at(self, pose: CameraPose) -> bool:
+        camera = self._client.camera
+        return bool(
+            np.allclose(camera.position, pose.position, atol=0.02)
+            and np.allclose(camera.look_at, pose.look_at, atol=0.02)
+        )
+
+
+def _aspect(client: viser.ClientHandle) -> float:
+    height = client.camera.image_height
+    return client.camera.image_width / height if height > 0 else 1.0
+
+
+def _fit(workspace: Workspace, aspect: float, tilt: float) -> CameraPose:
+    """The nearest camera that sees all of the table.
+
+    Args:
+        workspace: Decides how large the table is.
+        aspect: Width of the picture over its height.
+        tilt: Angle from straight down [rad].
+    """
+    corners = _corners(workspace)
+    near, far = 0.1 * workspace.length, 100.0 * workspace.length
+    centre = 0.0
+    for _ in range(40):
+        middle = (near + far) / 2
+        centre = _vertical_centre(corners, middle, tilt)
+        if _overreach(corners, _pose(middle, tilt, centre), aspect) > FILL:
+            near = middle
+        else:
+            far = middle
+    return _pose(far, tilt, centre)
+
+
+def _corners(workspace: Workspace) -> npt.NDArray[np.float64]:
+    reach = workspace.half_length + MARGIN
+    return np.array([[x, y, 0.0] for x in (-reach, reach) for y in (-reach, reach)])
+
+
+def _pose(distance: float, tilt: float, centre: float) -> CameraPose:
+    y, z = -distance * math.sin(tilt), distance * math.cos(tilt)
+    return CameraPose((0.0, centre + y, z), (0.0, centre, 0.0))
+
+
+def _vertical_centre(corners: npt.NDArray[np.float64], distance: float, tilt: float) -> float:
+    """The y to look at so that the near and the far edge are equally far from the middle."""
+    low, high = float(corners[:, 1].min()), float(corners[:, 1].max())
+    for _ in range(30):
+        middle = (low + high) / 2
+        _, up = _project(corners, _pose(distance, tilt, middle))
+        if up.max() + up.min() > 0.0:
+            low = middle
+        else:
+            high = middle
+    return (low + high) / 2
+
+
+def _overreach(corners: npt.NDArray[np.float64], pose: CameraPose, aspect: float) -> float:
+    """How far the corners reach, 1 being the edge of the picture."""
+    right, up = _project(corners, pose)
+    return max(float(np.abs(right).max()) / aspect, float(np.abs(up).max()))
+
+
+def _project(
+    points: npt.NDArray[np.float64], pose: CameraPose
+) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
+    """Points in the picture: right and up, each (N,), 1 being half the picture's height."""
+    position, target = np.array(pose.position), np.array(pose.look_at)
+    forward = (target - position) / np.linalg.norm(target - position)
+    right = np.array([1.0, 0.0, 0.0])
+    up = np.cross(right, forward)
+    offset = points - position
+    depth = np.maximum(offset @ forward, 1e-6) * math.tan(FIELD_OF_VIEW / 2)
+    return (offset @ right) / depth, (offset @ up) / depth

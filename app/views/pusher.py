@@ -1,0 +1,56 @@
+"""The pusher, and the name of the person who moves it."""
+
+import math
+
+import viser
+
+from app.views.palette import PUSHER_COLOUR
+
+PUSHER_SIDE = 0.06
+PUSHER_HEIGHT = 0.12
+"""Size of the simulated pusher [m]; the page's process does not import the simulation."""
+
+
+class PusherView:
+    """A small metal box that is there while it pushes."""
+
+    def __init__(self, scene: viser.SceneApi) -> None:
+        self._box = scene.add_box(
+            "/pusher",
+            PUSHER_COLOUR,
+            (PUSHER_SIDE, PUSHER_SIDE, PUSHER_HEIGHT),
+            visible=False,
+        )
+        self._shown: tuple[float, float, float, float] | None = None
+
+    def update(self, pose: tuple[float, float, float, float] | None) -> None:
+        """Show the pusher at (x, y, z, yaw), or lifted away."""
+        if pose == self._shown:
+            return
+        self._shown = pose
+        if pose is not None:
+            x, y, z, yaw = pose
+            self._box.position = (x, y, z)
+            self._box.wxyz = (math.cos(yaw / 2), 0.0, 0.0, math.sin(yaw / 2))
+        if self._box.visible != (pose is not None):
+            self._box.visible = pose is not None
+
+
+class PusherNameView:
+    """Says above the pusher who is pushing, in the browsers of the others."""
+
+    def __init__(self, scene: viser.SceneApi) -> None:
+        self._label = scene.add_label(
+            "/pusher_name", "", visible=False, anchor="bottom-center", font_screen_scale=0.9
+        )
+        self._shown = ""
+
+    def update(self, name: str, pose: tuple[float, float, float, float] | None) -> None:
+        """Show a name at the pusher's pose; an empty name or no pose hides it."""
+        is_shown = bool(name) and pose is not None
+        if pose is not None and is_shown:
+            self._label.position = (pose[0], pose[1], pose[2] + PUSHER_HEIGHT)
+            if name != self._shown:
+                self._label.text = self._shown = name
+        if self._label.visible != is_shown:
+            self._label.visible = is_shown

@@ -1,0 +1,74 @@
+"""The table top with the border, grid and axes of the workspace."""
+
+import numpy as np
+import numpy.typing as npt
+import viser
+
+from app.views.palette import surface
+from app.views.table_marks import table_marks
+from singulate.geometry import Workspace
+
+MARGIN = 0.12
+"""How far the table reaches beyond the workspace [m]."""
+_THICKNESS = 0.05
+_MARKS_HEIGHT = 0.001
+_BORDER_HEIGHT = 0.004
+
+
+class TableView:
+    """The table in one browser; its theme is that browser's.
+
+    Args:
+        scene: The browser's own scene.
+        workspace: The square that is marked on the table.
+    """
+
+    def __init__(self, scene: viser.SceneApi, workspace: Workspace) -> None:
+        self._workspace = workspace
+        self._is_dark = False
+        self.width = workspace.length + 2 * MARGIN
+        colours = surface(False)
+        self.top = scene.add_box(
+            "/table/top",
+            colours.table,
+            (self.width, self.width, _THICKNESS),
+            position=(0.0, 0.0, -_THICKNESS / 2),
+            cast_shadow=False,
+        )
+        self._marks = scene.add_image(
+            "/table/marks",
+            self._print(),
+            self.width,
+            self.width,
+            format="png",
+            cast_shadow=False,
+            position=(0.0, 0.0, _MARKS_HEIGHT),
+        )
+        self._border = scene.add_line_segments(
+            "/table/border",
+            _border(workspace),
+            colours.border,
+            thickness=0.006,
+            thickness_units="world",
+        )
+
+    def update(self, is_dark: bool) -> None:
+        """Follow the page's theme."""
+        if is_dark == self._is_dark:
+            return
+        self._is_dark = is_dark
+        colours = surface(is_dark)
+        self.top.color = colours.table
+        self._marks.image = self._print()
+        self._border.colors = np.array(colours.border, dtype=np.uint8)
+
+    def _print(self) -> npt.NDArray[np.uint8]:
+        marks = table_marks(self._workspace, MARGIN, surface(self._is_dark))
+        return np.ascontiguousarray(marks[::-1])  # viser puts row 0 at -y
+
+
+def _border(workspace: Workspace) -> npt.NDArray[np.float32]:
+    reach = workspace.half_length
+    corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]], dtype=np.float32) * reach
+    corners = np.concatenate([corners, np.full((4, 1), _BORDER_HEIGHT, np.float32)], axis=1)
+    return np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)
