@@ -7,12 +7,9 @@ import signal
 import sys
 import traceback
 from dataclasses import dataclass
-from multiprocessing.connection import Connection
 
 from app.processes.parent_death import die_with_parent
-
-Pipe = Connection
-"""Either end of the two-way pipe between a child and its parent."""
+from app.processes.pipes import Pipe
 
 
 @dataclass(frozen=True)

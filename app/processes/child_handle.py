@@ -4,13 +4,13 @@ import multiprocessing
 import os
 import pickle
 import queue
-import select
 import signal
 import socket
 import threading
 from collections.abc import Callable
 
 from app.processes.child import ChildFailed, run_child
+from app.processes.pipes import has_room
 
 _INBOX_SIZE = 512
 
@@ -55,7 +55,7 @@ class ChildHandle:
 
     def send(self, message: object) -> bool:
         """Write a small message; False where the child is gone or has stopped reading."""
-        if not self._has_room():
+        if not has_room(self.connection):
             return False
         try:
             self.connection.send(message)
@@ -123,11 +123,3 @@ class ChildHandle:
                 return self._inbox.put(message, timeout=0.2)
             except queue.Full:
                 continue
-
-    def _has_room(self) -> bool:
-        poll = select.poll()
-        try:
-            poll.register(self.connection.fileno(), select.POLLOUT)
-            return any(events & select.POLLOUT for _, events in poll.poll(0))
-        except (OSError, ValueError):
-            return False

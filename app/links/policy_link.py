@@ -1,0 +1,159 @@
+"""The laboratory's end of the policy process."""
+
+from collections.abc import Callable, Set
+
+from app.notices import NoticeBoard
+from app.processes.policy_messages import (
+    ChoosePush,
+    ChosenPush,
+    ComputeFields,
+    Fields,
+    Load,
+    Loaded,
+    NotLoaded,
+    PolicyProblem,
+    Prediction,
+    PredictReward,
+)
+from app.processes.scene_messages import RestState
+from app.processes.supervised import SupervisedProcess
+from app.snapshot import PolicySnapshot
+from singulate.geometry import Push
+
+Q_MAP = "q_map"
+START_DENSITY = "start_density"
+
+
+class PolicyLink:
+    """Keeps a policy loaded and its fields up to date with the scene, as far as they are wanted.
+
+    Args:
+        notices: Where problems are told.
+        on_message: Called from another thread when something has arrived.
+    """
+
+    def __init__(self, notices: NoticeBoard, on_message: Callable[[], None]) -> None:
+        self._notices = notices
+        self._source = ""
+        self._loaded: Loaded | None = None
+        self._fields: Fields | None = None
+        self._asked: tuple[str, int, frozenset[str]] | None = None
+        self._is_waiting = False
+        self.is_live = False
+        self.snapshot: PolicySnapshot | None = None
+        self._process = SupervisedProcess(
+            "The policy process",
+            "app.processes.policy_process:run_policy",
+            on_message=on_message,
+            niceness=1,
+        )
+
+    @property
+    def pid(self) -> int:
+        """Process id of the policy process."""
+        return self._process.pid
+
+    @property
+    def is_loaded(self) -> bool:
+        """Whether there is a policy to ask."""
+        return self._loaded is not None
+
+    def load(self, source: str, *, is_live: bool = False) -> None:
+        """Load a checkpoint; the policy before it answers until then.
+
+        Args:
+            source: Checkpoint directory.
+            is_live: Whether it is one of a run that is being followed.
+        """
+        self.is_live = is_live
+        if source == self._source and self._loaded is not None:
+            self._publish()
+            return
+        self._source = source
+        self._process.send(Load(source))
+
+    def choose(self, rest: RestState) -> None:
+        """Ask for the push that the policy would make."""
+        self._process.send(ChoosePush(rest.version, rest.percept))
+
+    def predict(self, push_id: int, rest: RestState, push: Push) -> None:
+        """Ask for the reward that the policy expects of a push."""
+        if self._loaded is not None:
+            self._process.send(PredictReward(push_id, rest.percept, push))
+
+    def update(self, rest: RestState | None, wanted: Set[str]) -> list[ChosenPush | Prediction]:
+        """Take in what has arrived, ask for wanted fields, and see that the process lives."""
+        answers: list[ChosenPush | Prediction] = []
+        for message in self._process.receive():
+            if isinstance(message, ChosenPush | Prediction):
+                answers.append(message)
+            else:
+                self._hear(message)
+        explanation = self._process.watch()
+        if explanation is not None:
+            self._begin_again(explanation)
+        self._ask_for_fields(rest, frozenset(wanted) & {Q_MAP, START_DENSITY})
+        return answers
+
+    def close(self) -> None:
+        """End the process."""
+        self._process.close()
+
+    def _hear(self, message: object) -> None:
+        match message:
+            case Loaded():
+                if self._loaded is not None and self._loaded.kind != message.kind:
+                    self._fields = None
+                self._loaded = message
+                self._publish()
+            case NotLoaded(source, reason):
+                self._notices.add(f"{reason}. Choose another policy, or train one.")
+                if source == self._source:
+                    self._source = self._loaded.source if self._loaded else ""
+            case Fields():
+                self._is_waiting = False
+                self._fields = message
+                self._publish()
+            case PolicyProblem(reason):
+                self._is_waiting = False
+                self._notices.add(reason)
+
+    def _begin_again(self, explanation: str) -> None:
+        self._notices.add(f"{explanation} It is loading the same policy again.")
+        self._is_waiting = False
+        self._asked = None
+        if self._source:
+            self._process.send(Load(self._source))
+
+    def _ask_for_fields(self, rest: RestState | None, wanted: frozenset[str]) -> None:
+        if rest is None or self._loaded is None or not wanted or self._is_waiting:
+            return
+        question = (self._loaded.source, rest.version, wanted)
+        if question == self._asked:
+            return
+        self._is_waiting = self._process.send(
+            ComputeFields(
+                self._loaded.source,
+                rest.version,
+                rest.percept,
+                wants_q_map=Q_MAP in wanted,
+                wants_start_density=START_DENSITY in wanted,
+            )
+        )
+        if self._is_waiting:
+            self._asked = question
+
+    def _publish(self) -> None:
+        loaded, fields = self._loaded, self._fields
+        if loaded is None:
+            return
+        self.snapshot = PolicySnapshot(
+            label=loaded.label,
+            kind=loaded.kind,
+            source=loaded.source,
+            num_steps=loaded.num_steps,
+            q_map=fields.q_map if fields else None,
+            start_density=fields.start_density if fields else None,
+            scene_version=fields.version if fields else 0,
+            is_live=self.is_live,
+        )

@@ -1,0 +1,60 @@
+"""Starting a trainer from the page: a process that does not depend on the page."""
+
+import time
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from app.commands import StartTraining
+from singulate.agents.registry import agent_kind
+from singulate.envs.config import EnvConfig
+from singulate.exceptions import InvalidValueError
+from singulate.training.config import TrainingConfig
+
+_PAGE_CHECKPOINT_EVERY = 1_000
+"""Checkpoints of a run that is watched come often, so that its policy can be followed [pushes]."""
+
+
+def training_config(command: StartTraining) -> TrainingConfig:
+    """The checked configuration that a person asked for.
+
+    Args:
+        command: `options` may hold ``env`` and ``agent_config``, objects with keys, and any other
+            field of `TrainingConfig`.
+
+    Raises:
+        InvalidValueError: If a key is unknown or a value is not allowed.
+    """
+    options = dict(command.options)
+    env = {
+        "scenario": command.scenario,
+        "action": agent_kind(command.agent).actions[0],
+        **_mapping("env", options.pop("env", {})),
+    }
+    return TrainingConfig.from_dict(
+        {
+            "checkpoint_every": _PAGE_CHECKPOINT_EVERY,
+            **options,
+            "agent": command.agent,
+            "env": EnvConfig.from_dict(env).to_dict(),
+            "total_timesteps": command.total_timesteps,
+            "seed": command.seed,
+        }
+    )
+
+
+def new_run_dir(runs_dir: Path, config: TrainingConfig) -> Path:
+    """A directory that is not there yet, named after the time, the agent and the scenario."""
+    stamp = time.strftime("%Y%m%d-%H%M%S")
+    base = f"{stamp}-{config.agent}-{config.env.scenario}"
+    path, number = runs_dir / base, 1
+    while path.exists():
+        number += 1
+        path = runs_dir / f"{base}-{number}"
+    return path
+
+
+def _mapping(key: str, value: object) -> Mapping[str, Any]:
+    if not isinstance(value, Mapping):
+        raise InvalidValueError(key, value, "an object with keys")
+    return value
