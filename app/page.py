@@ -29,7 +29,7 @@ from app.snapshot import Snapshot
 from singulate.geometry import Direction, Workspace
 
 LEFT_WIDTH, RIGHT_WIDTH = 264, 360
-BRAND = (24, 100, 171)
+BRAND = (30, 110, 186)
 DRAPE_INTERVAL = 0.1
 """Shortest time between two pictures on the table [s]."""
 PICTURE_SIZE = (1080, 1920)
@@ -169,7 +169,8 @@ class ClientPage:
         choices = replace(self.preferences, inspected=None)
         if self._drape_watch.has_changed(
             choices, scene and scene.distance_map, scene and scene.rgb, truth and truth.values,
-            policy and policy.q_map, policy and policy.start_density, run and run.starts,
+            policy and policy.q_map, policy and policy.start_density,
+            run and (run.run_dir, run.revision),
         ):  # fmt: skip
             self._draped = drape(snapshot, choices, self._workspace)
 

@@ -19,7 +19,8 @@ class ChartSpec:
 
     Attributes:
         title: Name for people.
-        names: Metrics that it can show, the first that a run has.
+        names: Metrics that it can show, as `singulate.training` records them; the first that a run
+            has is shown.
     """
 
     title: str
@@ -27,14 +28,13 @@ class ChartSpec:
 
 
 CHARTS = (
-    ChartSpec("Return", ("return", "reward", "episode_return", "mean_reward",
-                         "rollout/ep_rew_mean")),
-    ChartSpec("Success rate", ("success_rate", "success", "rollout/success_rate")),
-    ChartSpec("Loss", ("loss", "train/loss", "value_loss", "train/value_loss")),
-    ChartSpec("Exploration", ("epsilon", "exploration_rate", "rollout/exploration_rate",
-                              "entropy", "train/entropy", "entropy_loss", "train/entropy_loss")),
-    ChartSpec("Episode length", ("episode_length", "rollout/ep_len_mean")),
-)  # fmt: skip
+    ChartSpec("Return", ("rollout/ep_rew_mean",)),
+    ChartSpec("Success rate", ("rollout/success_rate",)),
+    ChartSpec("Loss", ("train/loss", "train/value_loss")),
+    ChartSpec("Exploration rate", ("rollout/exploration_rate",)),
+    ChartSpec("Entropy", ("train/entropy",)),
+    ChartSpec("Episode length", ("rollout/ep_len_mean",)),
+)
 
 
 def find_curve(spec: ChartSpec, curves: Mapping[str, Curve]) -> tuple[str, Curve] | None:

@@ -39,14 +39,14 @@ class FieldsPanel:
         self._opacity = gui.add_slider("Opacity", 0.0, 1.0, 0.05, preferences.opacity)
         self._span = gui.add_dropdown("Colours span", SPANS, initial_value=preferences.span)
         self._legend = gui.add_html(block(dimmed("Nothing on the table.")))
+        self._inspects = gui.add_checkbox(
+            "Click inspects", preferences.click_inspects, hint="Instead of pushing"
+        )
+        self._inspection = gui.add_html("", visible=False)
         self._all = gui.add_checkbox("All directions", preferences.shows_all_directions)
         self._reward = gui.add_html("")
         self._q = gui.add_html("")
         self._inputs = gui.add_html("")
-        self._inspects = gui.add_checkbox(
-            "Click inspects", preferences.click_inspects, hint="Instead of pushing"
-        )
-        self._inspection = gui.add_html("")
         self._listen()
 
     def _listen(self) -> None:
@@ -72,11 +72,10 @@ class FieldsPanel:
     def update(self, snapshot: Snapshot, draped: DrapedField | None, now: float) -> None:
         """Show a snapshot; `draped` is what lies on this client's table."""
         preferences = self._context.preferences
-        if self._watches["form"].has_changed(preferences.field, preferences.inspected):
+        if self._watches["form"].has_changed(preferences.field):
             kind = FIELDS_BY_KEY[preferences.field]
             show_value(self._field, kind.label)
             self._choice.visible = kind.is_directional
-            self._watches["inspect"].forget()
         show(self._legend, _legend_html(snapshot, preferences.field, draped))
         if not self._throttle.is_due(now):
             return
@@ -87,7 +86,8 @@ class FieldsPanel:
     def _update_inspection(self, snapshot: Snapshot) -> None:
         truth, policy, scene = snapshot.reward_map, snapshot.policy, snapshot.scene
         place = self._context.preferences.inspected
-        if self._watches["inspect"].has_changed(
+        self._inspection.visible = self._context.preferences.click_inspects
+        if self._inspection.visible and self._watches["inspect"].has_changed(
             place, truth and truth.values, policy and policy.q_map, scene and scene.distance_map
         ):
             show(self._inspection, inspection_html(snapshot, place, self._context.workspace))
@@ -131,18 +131,18 @@ class FieldsPanel:
         span: Span = value_span(scene.distance_map)
         pictures = [
             ("Camera", picture_image(scene.rgb)),
-            ("Distance map", field_image(scene.distance_map, span, distance.colormap)),
+            ("Distance", field_image(scene.distance_map, span, distance.colormap)),
             ("Mask", field_image(scene.mask.astype(np.float32), (0.0, 1.0), distance.colormap)),
         ]
         if density is not None:
             image = field_image(density, value_span(density), distance.colormap)
-            pictures.append(("Start density", image))
+            pictures.append(("Starts", image))
         figures = "".join(
             f'<div style="flex:1;min-width:0">{picture(image, name)}{dimmed(name)}</div>'
             for name, image in pictures
         )
         html = f'<div style="display:flex;gap:4px">{figures}</div>'
-        show(self._inputs, block(title("What the agent sees"), html))
+        show(self._inputs, block(title("What the agent sees, and where it starts"), html))
 
 
 def _keep(preferences: Preferences, name: str) -> Callable[[object], None]:

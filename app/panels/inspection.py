@@ -13,7 +13,7 @@ def inspection_html(
 ) -> str:
     """Values of every direction at a place on the table."""
     if place is None:
-        return block(title("Inspect"), dimmed("Switch on “Click inspects” and click the table."))
+        return block(title("Inspect"), dimmed("Click a place on the table."))
     x, y = place
     lines = [title(f"Inspect ({x:.2f}, {y:.2f}) m")]
     if snapshot.scene is not None:

@@ -59,21 +59,23 @@ def picture(image: Rgba, alt: str, overlay: str = "") -> str:
 
 def table(rows: Sequence[Sequence[str]], head: Sequence[str] = ()) -> str:
     """A table whose first column is text and whose others are numbers; cells are HTML."""
-    cell = "padding:1px 0 1px 8px;text-align:right;font-variant-numeric:tabular-nums"
-    first = "padding:1px 0;text-align:left;font-weight:400"
-    lines = []
-    if head:
-        cells = "".join(
-            f'<th style="{first if i == 0 else cell};font-weight:400;color:{DIM}">{text}</th>'
-            for i, text in enumerate(head)
+    text_cell = "padding:1px 0;text-align:left;font-weight:400"
+    number_cell = (
+        "padding:1px 0 1px 8px;text-align:right;font-weight:400;white-space:nowrap;"
+        "font-variant-numeric:tabular-nums"
+    )
+
+    def line(cells: Sequence[str], tag: str, colour: str) -> str:
+        styles = (text_cell, *[number_cell] * (len(cells) - 1))
+        return "".join(
+            f'<{tag} style="{style};color:{colour}">{text}</{tag}>'
+            for style, text in zip(styles, cells, strict=True)
         )
-        lines.append(f"<tr>{cells}</tr>")
-    for row in rows:
-        cells = "".join(
-            f'<td style="{first if i == 0 else cell}">{text}</td>' for i, text in enumerate(row)
-        )
-        lines.append(f"<tr>{cells}</tr>")
-    return f'<table style="width:100%;border-collapse:collapse">{"".join(lines)}</table>'
+
+    lines = [line(head, "th", DIM)] if head else []
+    lines += [line(row, "td", "inherit") for row in rows]
+    body = "".join(f"<tr>{cells}</tr>" for cells in lines)
+    return f'<table style="width:100%;border-collapse:collapse">{body}</table>'
 
 
 def show(handle: viser.GuiHtmlHandle, content: str) -> None:

@@ -62,7 +62,7 @@ def _terms_table(report: PushReport) -> str:
     rows.append(("<b>reward</b>", predicted, f"<b>{_points(report.reward)}</b>"))
     if report.predicted is not None:
         error = report.predicted - report.reward
-        rows.append(("predicted \N{MINUS SIGN} actual", "", f"{error:+.0f}"))
+        rows.append(("error", "", f"{error:+.0f}"))
     return table(rows, ("", "predicted", "actual"))
 
 

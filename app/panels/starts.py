@@ -64,7 +64,7 @@ class StartsPanel:
                 self._end.visible = self._strip.visible = False
             return
         self._update_slider(run, window[1])
-        if self._watch.has_changed(run.run_dir, window, run.starts):
+        if self._watch.has_changed(run.run_dir, window, run.revision):
             show(self._picture, self._histogram(run, window))
         if self._strip_throttle.is_due(now) and self._strip_watch.has_changed(
             run.run_dir, run.revision

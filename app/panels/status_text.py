@@ -33,17 +33,15 @@ def duration(seconds: float) -> str:
 
 
 def progress_text(run: RunSnapshot) -> str:
-    """Pushes done, speed and time left."""
-    parts = [f"{run.num_steps:,} / {run.total_steps:,} pushes"]
-    if run.state == "running":
-        parts.append(f"{run.pushes_per_second:.0f}/s")
-        if run.eta_s is not None:
-            parts.append(f"{duration(run.eta_s)} left")
-    return " · ".join(parts)
+    """Pushes done and speed."""
+    text = f"{run.num_steps:,} / {run.total_steps:,} pushes"
+    return f"{text} · {run.pushes_per_second:.0f}/s" if run.state == "running" else text
 
 
 def age_text(run: RunSnapshot) -> str:
-    """How long ago the trainer gave a sign of life."""
-    if run.state == "running" and run.age_s < 2.0:
-        return "updated just now"
-    return f"updated {duration(run.age_s)} ago"
+    """Time left, and how long ago the trainer gave a sign of life."""
+    is_fresh = run.state == "running" and run.age_s < 3.0
+    age = "updated just now" if is_fresh else f"updated {duration(run.age_s)} ago"
+    if run.state == "running" and run.eta_s is not None:
+        return f"{duration(run.eta_s)} left · {age}"
+    return age

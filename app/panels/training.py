@@ -12,7 +12,8 @@ from app.snapshot import RunSnapshot, Snapshot
 
 CHART_INTERVAL = 1.0
 """Shortest time between two versions of the charts [s]."""
-CHART_HEIGHT = 128
+CHART_HEIGHT = 120
+NO_TICKS = uplot.Axis_Ticks(show=False)
 RAW, SMOOTH = "rgba(34, 139, 230, 0.35)", "#228be6"
 
 
@@ -51,7 +52,10 @@ def _add_chart(gui: viser.GuiApi, spec: ChartSpec) -> viser.GuiUplotHandle:
         ),
         title=spec.title,
         scales={"x": uplot.Scale(time=False)},
-        axes=(uplot.Axis(size=26), uplot.Axis(size=54)),
+        axes=(
+            uplot.Axis(size=24, ticks=NO_TICKS),
+            uplot.Axis(size=58, ticks=NO_TICKS),
+        ),
         legend=uplot.Legend(show=False),
         padding=(4, 12, 0, 0),
         height=CHART_HEIGHT,
@@ -62,4 +66,4 @@ def _add_chart(gui: viser.GuiApi, spec: ChartSpec) -> viser.GuiUplotHandle:
 def _text_html(run: RunSnapshot | None) -> str:
     if run is None or not run.curves:
         return block(dimmed("Curves appear here once a run has finished its first episodes."))
-    return block(dimmed(f"{escape(run.name)}: raw values faint, moving average strong"))
+    return block(dimmed(f"{escape(run.name)} · moving average over raw values"))
