@@ -19,7 +19,7 @@ LAYERS: tuple[tuple[str, ...], ...] = (
     ("engine",),
     ("agents",),
     ("rewardmap", "evaluation", "training"),
-    ("experiments",),
+    ("experiments", "bench"),
     ("singulate",),  # the package's own front door, which loads policies on demand
     ("cli",),
     ("__main__",),

@@ -4,7 +4,7 @@ from singulate.envs.push_task import PushTask
 from singulate.exceptions import SimulationError
 from singulate.geometry import Poses, Push, Workspace
 from singulate.perception import Percept
-from singulate.rewards import Transition, reward_terms
+from singulate.rewards import TERMS, Transition, reward_terms
 
 
 class Prober:
@@ -41,14 +41,14 @@ class Prober:
     def try_push(self, poses: Poses, push: Push) -> dict[str, float]:
         """The unweighted reward terms of a push, by name.
 
-        A push at which the physics goes wrong leaves the scene as it was, and is paid like that.
+        A push at which the physics goes wrong is paid nothing, as in the environment.
         """
         before = self.look(poses)
         self._task.restore(poses)
         try:
             outcome = self._task.scene.push(push)
         except SimulationError:
-            return self.idle_terms(poses, push, is_inside=False)
+            return dict.fromkeys(TERMS, 0.0)
         if not outcome.is_touching:
             return self.idle_terms(poses, push, outcome.is_blocked)
         return self._task.score(push, before, outcome).terms

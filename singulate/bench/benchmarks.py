@@ -1,0 +1,14 @@
+"""Benchmarks by name; a new one is one entry here."""
+
+from collections.abc import Callable, Iterator
+
+from singulate.bench.dashboard import bench_dashboard
+from singulate.bench.env import bench_env
+from singulate.bench.measurement import BenchOptions, Measurement
+from singulate.bench.rewardmap import bench_rewardmap
+
+BENCHMARKS: dict[str, Callable[[BenchOptions], Iterator[Measurement]]] = {
+    "env": bench_env,
+    "rewardmap": bench_rewardmap,
+    "dashboard": bench_dashboard,
+}
