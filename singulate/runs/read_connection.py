@@ -45,14 +45,15 @@ class ReadConnection:
         """
         with self._guard:
             try:
-                connection = self._current()
-                if connection is None:
-                    return [], []
-                cursor = connection.execute(query, values)
-                return [column[0] for column in cursor.description], cursor.fetchall()
+                return self._answer(query, values)
             except sqlite3.Error as error:
-                self._disconnect()
-                raise RunError(f"{self._path}: cannot be read ({error})") from error
+                if not self._is_mendable(error):
+                    raise self._failure(error) from error
+            self._disconnect()
+            try:
+                return self._answer(query, values)
+            except sqlite3.Error as error:
+                raise self._failure(error) from error
 
     def revision(self) -> int:
         """A number that changes whenever the file was committed to or replaced."""
@@ -89,18 +90,36 @@ class ReadConnection:
             self._num_opened += 1
         return self._connection
 
+    def _answer(self, query: str, values: Row) -> tuple[list[str], list[Row]]:
+        connection = self._current()
+        if connection is None:
+            return [], []
+        cursor = connection.execute(query, values)
+        return [column[0] for column in cursor.description], cursor.fetchall()
+
+    def _failure(self, error: sqlite3.Error) -> RunError:
+        self._disconnect()
+        return RunError(f"{self._path}: cannot be read ({error})")
+
+    def _is_mendable(self, error: sqlite3.Error) -> bool:
+        is_busy = getattr(error, "sqlite_errorcode", 0) & 0xFF == sqlite3.SQLITE_BUSY
+        return isinstance(error, sqlite3.OperationalError) and not is_busy
+
     def _open(self) -> sqlite3.Connection:
         connection = self._connect("ro")
         try:
-            connection.execute("SELECT COUNT(*) FROM sqlite_master").fetchone()
-        except sqlite3.OperationalError:
+            _touch(connection)
+            problem = version_problem(connection)
+        except sqlite3.Error as error:
+            connection.close()
+            if not self._is_mendable(error):
+                raise
             # A writer that was killed inside a commit leaves a journal that has to be rolled back,
             # which a read-only connection may not do. A living writer's journal is left alone.
-            connection.close()
             with contextlib.closing(self._connect("rw")) as mending:
-                mending.execute("SELECT COUNT(*) FROM sqlite_master").fetchone()
+                _touch(mending)
             connection = self._connect("ro")
-        problem = version_problem(connection)
+            problem = version_problem(connection)
         if problem is not None:
             connection.close()
             raise RunError(f"{self._path}: {problem}")
@@ -114,3 +133,7 @@ class ReadConnection:
             isolation_level=None,
             check_same_thread=False,
         )
+
+
+def _touch(connection: sqlite3.Connection) -> None:
+    connection.execute("SELECT COUNT(*) FROM sqlite_master").fetchone()

@@ -101,7 +101,8 @@ def read_status(run_dir: Path, now: float | None = None) -> RunStatus:
         if status.state in FINAL_STATES:
             return status
         if status.host == socket.gethostname():
-            is_alive = holder is not None
+            # A trainer that resumes may have taken the lock and spoken since the first look.
+            is_alive = holder is not None or lock_holder(run_dir) is not None
         else:
             is_alive = now - status.updated_at < HEARTBEAT_TIMEOUT_S
     if is_alive:

@@ -24,13 +24,13 @@ def test_messages_arrive_once_and_in_order(run_dir: Path) -> None:
 
 def test_the_disk_is_looked_at_only_now_and_then(run_dir: Path) -> None:
     inbox = ControlInbox(run_dir)
-    assert inbox.drain() == []
     begin = time.monotonic()
+    assert inbox.drain() == []
     send_control(run_dir, "pause")
     while not (messages := inbox.drain()):
         assert time.monotonic() - begin < 10.0
     assert messages == [ControlMessage("pause", {})]
-    assert time.monotonic() - begin > 0.5 * MIN_INTERVAL_S
+    assert time.monotonic() - begin >= MIN_INTERVAL_S
 
 
 def test_old_messages_can_be_dropped(run_dir: Path) -> None:

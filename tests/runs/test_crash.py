@@ -45,6 +45,7 @@ with RunLock(run.path), Heartbeat(run.path, RunStatus(state="running"), 0.01):
 def test_record_and_checkpoints_survive_sigkill(run_dir: Path) -> None:
     rng = random.Random(11)
     run = RunDirectory(run_dir)
+    reader = RunReader(run_dir)
     for _ in range(6):
         trainer = subprocess.Popen(
             [sys.executable, "-c", TRAINER, str(run_dir)], stdout=subprocess.PIPE, text=True
@@ -59,7 +60,6 @@ def test_record_and_checkpoints_survive_sigkill(run_dir: Path) -> None:
         assert status.state == "died"
         assert f"process {trainer.pid} ended without a word" in status.error
 
-        reader = RunReader(run_dir)
         assert finished <= reader.count_pushes() <= finished + 20
         assert reader.count_pushes() % 20 == 0
         assert reader.last_pushes(1)[0].reward == reader.last_step()
@@ -84,12 +84,11 @@ def test_a_commit_that_was_cut_short_is_undone_by_the_reader(
             record.add_push(make_push(step))
     path = run_dir / "record.sqlite"
     writer = sqlite3.connect(path, isolation_level=None)
-    writer.execute("PRAGMA journal_mode = DELETE")
     writer.execute("PRAGMA cache_size = 1")  # so that pages reach the file before the commit
     writer.execute("BEGIN")
     writer.execute("UPDATE pushes SET reward = -1, outcome = 'empty'")
     killed = RunDirectory(tmp_path / "killed").create({}).path
-    for name in ("record.sqlite", "record.sqlite-journal"):
+    for name in ("record.sqlite-journal", "record.sqlite"):
         shutil.copy(run_dir / name, killed / name)
     writer.execute("ROLLBACK")
     writer.close()
