@@ -7,7 +7,6 @@ import time
 
 import viser
 
-from app.commands import Command
 from app.laboratory import Laboratory
 from app.session import ClientSession
 from app.snapshot import Snapshot
@@ -16,16 +15,17 @@ from app.views.light import add_lights
 from app.views.pusher import PusherView
 from singulate.geometry import Workspace
 
-PERIOD_S = 1.0 / 30.0
+LONGEST_PERIOD_S = 1.0 / 30.0
+SHORTEST_PERIOD_S = 1.0 / 60.0
 
 _log = logging.getLogger(__name__)
 
 
 class Dashboard:
-    """Draws what the laboratory reports, thirty times a second, for every browser.
+    """Draws what the laboratory reports, for every browser.
 
-    Everything happens on the thread that calls `run`; browsers that come and go are put in a
-    queue, and commands wake the loop so that a click does not wait for the next period.
+    Everything happens on the thread that calls `run`, which also has to be the one that made the
+    laboratory; browsers that come and go are put in a queue, and so are their commands.
 
     Args:
         server: viser's server.
@@ -46,7 +46,6 @@ class Dashboard:
         self._departures: queue.SimpleQueue[int] = queue.SimpleQueue()
         self._sessions: dict[int, ClientSession] = {}
         self._num_visitors = 0
-        self._wake = threading.Event()
         add_lights(server.scene)
         self._blocks = BlocksView(server.scene, self._workspace)
         self._pusher = PusherView(server.scene)
@@ -54,12 +53,12 @@ class Dashboard:
         server.on_client_disconnect(self._leave)
 
     def run(self, stop: threading.Event) -> None:
-        """Work until `stop` is set; `submit` and `stop` both wake the loop."""
+        """Work until `stop` is set, 30 times a second, and up to 60 while there is news."""
         while not stop.is_set():
             begin = time.monotonic()
             self.step()
-            if self._wake.wait(max(0.0, PERIOD_S - (time.monotonic() - begin))):
-                self._wake.clear()
+            self._laboratory.wait(LONGEST_PERIOD_S)
+            stop.wait(max(0.0, SHORTEST_PERIOD_S - (time.monotonic() - begin)))
 
     def step(self) -> None:
         """One round: who came and went, what happened, what it looks like."""
@@ -73,11 +72,6 @@ class Dashboard:
             name for session in self._sessions.values() for name in session.page.wanted_fields
         }
         self._laboratory.set_wanted_fields(wanted)
-
-    def submit(self, command: Command) -> None:
-        """Take a command to the laboratory; any thread may call this."""
-        self._laboratory.submit(command)
-        self._wake.set()
 
     def _draw_shared(self, snapshot: Snapshot) -> None:
         if snapshot.scene is not None:
@@ -100,11 +94,9 @@ class Dashboard:
 
     def _arrive(self, client: viser.ClientHandle) -> None:
         self._arrivals.put(client)
-        self._wake.set()
 
     def _leave(self, client: viser.ClientHandle) -> None:
         self._departures.put(client.client_id)
-        self._wake.set()
 
     def _welcome(self) -> None:
         while not self._arrivals.empty():
@@ -112,7 +104,7 @@ class Dashboard:
             self._num_visitors += 1
             name = f"visitor {self._num_visitors}"
             self._sessions[client.client_id] = ClientSession(
-                client, name, self.submit, self._workspace
+                client, name, self._laboratory.submit, self._workspace
             )
         while not self._departures.empty():
             session = self._sessions.pop(self._departures.get(), None)

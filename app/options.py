@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from app.choices import MAX_SEED, SCENARIOS
 from app.security.access import is_loopback
 from singulate.exceptions import InvalidValueError
 
@@ -70,13 +71,17 @@ def check_options(parsed: argparse.Namespace) -> Options:
     """Options from arguments that `add_arguments` described.
 
     Raises:
-        InvalidValueError: If the port, the token or the seed is not allowed, or others could reach
-            the page without a token.
+        InvalidValueError: If a value is not allowed, or others could reach the page without a
+            token.
     """
     if not 0 <= parsed.port <= 65535:
         raise InvalidValueError("--port", parsed.port, "0 to 65535")
-    if parsed.seed < 0:
-        raise InvalidValueError("--seed", parsed.seed, "0 or more")
+    if not 0 <= parsed.seed <= MAX_SEED:
+        raise InvalidValueError("--seed", parsed.seed, f"0 to {MAX_SEED}")
+    if parsed.scenario not in SCENARIOS:
+        raise InvalidValueError("--scenario", parsed.scenario, ", ".join(SCENARIOS))
+    if parsed.run is not None and not parsed.run.is_dir():
+        raise InvalidValueError("--run", str(parsed.run), "an existing run directory")
     token = secrets.token_urlsafe(16) if parsed.token == "auto" else parsed.token
     if token is not None and (len(token) < MIN_TOKEN or not _is_url_safe(token)):
         raise InvalidValueError(

@@ -12,6 +12,6 @@ def add_lights(scene: viser.SceneApi) -> None:
     scene.configure_default_lights(enabled=False)
     scene.configure_environment_map(None)
     scene.add_light_hemisphere(
-        "/lights/sky", sky_color=(255, 255, 255), ground_color=(190, 190, 200), intensity=1.9
+        "/lights/sky", sky_color=(255, 255, 255), ground_color=(190, 190, 200), intensity=2.25
     )
     scene.add_light_directional("/lights/sun", intensity=1.3, position=(-1.2, -1.6, 3.0))

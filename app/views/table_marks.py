@@ -23,7 +23,7 @@ def table_marks(workspace: Workspace, margin: float, colours: Surface) -> npt.ND
     Returns:
         RGBA uint8 (PIXELS, PIXELS, 4), transparent where nothing is printed, row 0 at +y.
     """
-    sheet = _Sheet(workspace, margin, colours.table)
+    sheet = _Sheet(workspace, margin, colours.grid)
     ticks = np.linspace(-workspace.half_length, workspace.half_length, _NUM_CELLS + 1)
     reach, outside = workspace.half_length, workspace.half_length + margin / 2
     for tick in ticks[1:-1]:
@@ -38,7 +38,7 @@ def table_marks(workspace: Workspace, margin: float, colours: Surface) -> npt.ND
 
 
 class _Sheet:
-    """A transparent sheet in world coordinates; `ground` is what its ink fades into."""
+    """A transparent sheet in world coordinates; `ground` is what lines fade into."""
 
     def __init__(self, workspace: Workspace, margin: float, ground: Colour) -> None:
         self._reach = workspace.half_length + margin
