@@ -26,6 +26,7 @@ from app.links.reward_map_link import RewardMapLink
 from app.links.scene_link import SceneLink
 from app.notices import NoticeBoard
 from app.pushing import Pushing
+from app.scene_recipe import check_recipe
 from app.scene_view import SceneView
 from app.snapshot import Snapshot
 from app.training_link import TrainingLink
@@ -52,6 +53,10 @@ class Laboratory:
         checkpoints_dir: Where policies that can be loaded are found.
         run_dir: Run to watch from the start; the newest one that is alive otherwise.
         num_workers: Processes for reward maps; by default one a core, less one.
+
+    Raises:
+        InvalidValueError: If there is no such scenario, or the seed is out of range.
+        RunError: If `run_dir` is given and holds no run.
     """
 
     def __init__(
@@ -64,6 +69,7 @@ class Laboratory:
         run_dir: Path | None = None,
         num_workers: int | None = None,
     ) -> None:
+        check_recipe(scenario, seed)
         self._commands: queue.Queue[Command] = queue.Queue(_MAX_WAITING_COMMANDS)
         self._news = threading.Event()
         self._wanted: frozenset[str] = frozenset()
@@ -160,7 +166,12 @@ class Laboratory:
                 self._pushing.push(push, by)
             case AgentPush():
                 self._pushing.let_policy_push()
-            case ResetScene() | Undo() | SetScenePaused() | StepScene():
+            case ResetScene(scenario, seed):
+                check_recipe(scenario, seed)
+                self._scene.send(command)
+            case SetScenePaused(is_paused):
+                self._scene.send(SetScenePaused(bool(is_paused)))
+            case Undo() | StepScene():
                 self._scene.send(command)
             case SetSpeed(factor):
                 self._set_speed(factor)

@@ -14,16 +14,16 @@ from app.processes.scene_messages import (
     SceneStart,
     StartPush,
 )
+from app.scene_recipe import check_recipe
 from singulate.envs.push_task import PushTask
 from singulate.exceptions import InvalidValueError, SimulationError
 from singulate.geometry import Poses
 from singulate.perception import Percept
 from singulate.rewards import RewardFunction, is_success, make_reward
 from singulate.simulation import PushFrame, PushOutcome, make_scenario
-from singulate.simulation.world import is_fallen
+from singulate.simulation.fallen import is_fallen
 
 MAX_HISTORY = 50
-MAX_SEED = 2**63 - 1
 
 
 @dataclass
@@ -57,8 +57,8 @@ class LiveScene:
         if start.saved is None:
             self.reset(start.scenario, start.seed)
         else:
-            self._put_up(start.saved)
             self._history = list(start.history)
+            self._put_up(start.saved)
 
     @property
     def is_pushing(self) -> bool:
@@ -71,10 +71,8 @@ class LiveScene:
         Raises:
             InvalidValueError: If there is no such scenario, or the seed is out of range.
         """
-        recipe = make_scenario(scenario)
-        if isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed <= MAX_SEED:
-            raise InvalidValueError("seed", seed, "an integer from 0 to 2**63 - 1")
-        layout = recipe.sample(np.random.default_rng(seed), self._task.workspace)
+        check_recipe(scenario, seed)
+        layout = make_scenario(scenario).sample(np.random.default_rng(seed), self._task.workspace)
         self._drop_push()
         self._history.clear()
         self._task.place(layout)

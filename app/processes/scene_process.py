@@ -28,11 +28,7 @@ def run_scene(connection: Pipe, start: SceneStart) -> None:
         connection: Pipe to the laboratory; see `scene_messages`.
         start: The scene to begin with.
     """
-    try:
-        scene = LiveScene(start)
-    except SingulateError as error:
-        connection.send(Refused(str(error)))
-        scene = LiveScene(SceneStart("random-2", 0, version=start.version))
+    scene = LiveScene(start)
     try:
         ScenePlayer(scene, connection).play()
     finally:

@@ -94,7 +94,7 @@ class SupervisedProcess:
         """End a child that no longer answers; `watch` then restarts it."""
         self._life.process.kill()
 
-    def close(self, timeout_s: float = 2.0) -> None:
+    def close(self, timeout_s: float = 0.3) -> None:
         """End the child for good: close its pipe, then terminate, then kill it."""
         self._life.close(timeout_s)
 
