@@ -1,0 +1,59 @@
+"""Settings of the DQN agent."""
+
+from dataclasses import dataclass
+
+from singulate.agents.config_fields import (
+    check_bool,
+    check_int,
+    check_net_arch,
+    check_number,
+    check_positive,
+)
+
+PAPER_NET_ARCH = (128, 64, 64, 32, 16)
+
+
+@dataclass(frozen=True)
+class DQNConfig:
+    """The paper gives the network (section 3.3) and the learning rate; the rest is ours.
+
+    Attributes:
+        learning_rate: Step size of Adam (Table 1).
+        net_arch: Widths of the fully connected layers, ReLU after each (section 3.3).
+        buffer_size: Pushes that are remembered; each takes 32 KiB of memory.
+        learning_starts: Random pushes before the first update.
+        batch_size: Pushes an update.
+        gradient_steps: Updates a push.
+        gamma: Discount from one push to the next.
+        target_update_interval: Pushes between copies of the network into the target network;
+            without effect on one-push episodes.
+        exploration_steps: Pushes over which the exploration rate falls from 1 to its final value.
+        exploration_final_eps: Exploration rate from then on.
+        symmetries: Replay each push turned and mirrored at random: the table looks and behaves the
+            same in all eight symmetries of the square.
+    """
+
+    learning_rate: float = 5e-4
+    net_arch: tuple[int, ...] = PAPER_NET_ARCH
+    buffer_size: int = 10_000
+    learning_starts: int = 500
+    batch_size: int = 64
+    gradient_steps: int = 1
+    gamma: float = 0.9
+    target_update_interval: int = 500
+    exploration_steps: int = 10_000
+    exploration_final_eps: float = 0.05
+    symmetries: bool = True
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "net_arch", check_net_arch("net_arch", self.net_arch))
+        check_positive("learning_rate", self.learning_rate, 1.0)
+        check_int("buffer_size", self.buffer_size, 1, 1_000_000)
+        check_int("learning_starts", self.learning_starts, 0)
+        check_int("batch_size", self.batch_size, 1, 100_000)
+        check_int("gradient_steps", self.gradient_steps, 1, 1000)
+        check_number("gamma", self.gamma, 0.0, 1.0)
+        check_int("target_update_interval", self.target_update_interval, 1)
+        check_int("exploration_steps", self.exploration_steps, 1)
+        check_number("exploration_final_eps", self.exploration_final_eps, 0.0, 1.0)
+        check_bool("symmetries", self.symmetries)

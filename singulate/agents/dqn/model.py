@@ -1,0 +1,100 @@
+"""The DQN that is trained: stable-baselines3's, with an exploration that can be resumed."""
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import torch
+from gymnasium import spaces
+from stable_baselines3 import DQN
+from stable_baselines3.common.noise import ActionNoise
+from stable_baselines3.common.vec_env import VecEnv
+
+from singulate.agents.dqn.config import DQNConfig
+from singulate.agents.dqn.replay import SymmetricReplayBuffer
+from singulate.agents.network import policy_arguments
+
+
+class GridDQN(DQN):
+    """DQN whose exploration depends on the number of pushes alone, with its own generator.
+
+    stable-baselines3 ties exploration to the share of the training that is done, so extending a
+    run would change its past, and draws it from NumPy's global generator.
+
+    Attributes:
+        predicted_values: Expected (scaled) reward of the pushes chosen last, float32 (num_envs,).
+    """
+
+    def __init__(self, *args: Any, exploration_steps: int, **kwargs: Any) -> None:
+        super().__init__(*args, **kwargs)
+        self.exploration_steps = exploration_steps
+        self.exploration_rate = 1.0
+        self.exploration_rng = np.random.default_rng(self.seed)
+        self.predicted_values: npt.NDArray[np.float32] = np.zeros(1, dtype=np.float32)
+
+    @property
+    def generators(self) -> dict[str, np.random.Generator]:
+        """Every generator of its own that training draws from, by name."""
+        assert isinstance(self.replay_buffer, SymmetricReplayBuffer)
+        return {"exploration": self.exploration_rng, "replay": self.replay_buffer.rng}
+
+    def _on_step(self) -> None:
+        super()._on_step()
+        done = min(self.num_timesteps / self.exploration_steps, 1.0)
+        self.exploration_rate = 1.0 + done * (self.exploration_final_eps - 1.0)
+        self.logger.record("rollout/exploration_rate", self.exploration_rate)
+
+    def _sample_action(
+        self, learning_starts: int, action_noise: ActionNoise | None = None, n_envs: int = 1
+    ) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.int64]]:
+        assert isinstance(self._last_obs, np.ndarray)
+        assert isinstance(self.action_space, spaces.Discrete)
+        with torch.no_grad():
+            values = self.q_net(torch.as_tensor(self._last_obs)).numpy()
+        rate = 1.0 if self.num_timesteps < learning_starts else self.exploration_rate
+        is_random = self.exploration_rng.random(n_envs) < rate
+        random_actions = self.exploration_rng.integers(self.action_space.n, size=n_envs)
+        actions = np.where(is_random, random_actions, values.argmax(axis=1))
+        self.predicted_values = values[np.arange(n_envs), actions]
+        return actions, actions
+
+
+def build_model(config: DQNConfig, env: VecEnv, observation: str, seed: int) -> GridDQN:
+    """Build an untrained model.
+
+    Args:
+        config: Its settings.
+        env: A single environment with ``grid`` actions.
+        observation: Name of its observation.
+        seed: Seeds the network and all random choices.
+    """
+    return GridDQN(
+        "MlpPolicy",
+        env,
+        learning_rate=config.learning_rate,
+        buffer_size=config.buffer_size,
+        learning_starts=config.learning_starts,
+        batch_size=config.batch_size,
+        gamma=config.gamma,
+        train_freq=1,
+        gradient_steps=config.gradient_steps,
+        replay_buffer_class=SymmetricReplayBuffer,
+        replay_buffer_kwargs={"seed": seed, "symmetries": config.symmetries},
+        target_update_interval=config.target_update_interval,
+        exploration_final_eps=config.exploration_final_eps,
+        exploration_steps=config.exploration_steps,
+        policy_kwargs=network_arguments(config, observation),
+        seed=seed,
+        device="cpu",
+    )
+
+
+def network_arguments(config: DQNConfig, observation: str) -> dict[str, object]:
+    """Arguments of stable-baselines3's DQN policy."""
+    shared = policy_arguments(observation, adam_epsilon=1e-8)
+    return {"net_arch": list(config.net_arch), **shared}
+
+
+def network_of(model: GridDQN) -> torch.nn.Module:
+    """The part of a model that acting needs: its Q network."""
+    return model.q_net

@@ -1,0 +1,71 @@
+"""A trained DQN, ready to push."""
+
+import math
+
+import numpy as np
+import numpy.typing as npt
+import torch
+from stable_baselines3.dqn.policies import DQNPolicy
+
+from singulate.agents.dqn.config import DQNConfig
+from singulate.agents.dqn.model import network_arguments
+from singulate.agents.policy import FloatMap
+from singulate.agents.reward_scale import REWARD_SCALE
+from singulate.envs import EnvConfig, GridActions, make_observation
+from singulate.geometry import Push, Workspace
+
+
+class GridPolicy:
+    """Pushes where the Q network expects the highest reward.
+
+    Attributes:
+        network: The Q network; (batch, H, W) to (batch, 4 * cells ** 2).
+        action_values: Exploration rate when sampling, as at the end of training.
+    """
+
+    kind = "dqn"
+    is_random = False
+
+    def __init__(self, config: DQNConfig, env_config: EnvConfig, workspace: Workspace) -> None:
+        self.observation = env_config.observation
+        self.workspace = workspace
+        self._encoding = GridActions(workspace)
+        self._exploration_rate = config.exploration_final_eps
+        policy = DQNPolicy(
+            make_observation(env_config.observation, workspace).space,
+            self._encoding.space,
+            lambda _: config.learning_rate,
+            **network_arguments(config, env_config.observation),  # type: ignore[arg-type]
+        )
+        self.network: torch.nn.Module = policy.q_net.eval()
+
+    def act(self, observation: FloatMap, rng: np.random.Generator | None = None) -> Push:
+        """The push of the highest value; with `rng`, now and then a random one, as in training."""
+        if rng is not None and rng.random() < self._exploration_rate:
+            return self._encoding.decode(int(rng.integers(self._encoding.space.n)))
+        return self._encoding.decode(int(self._values(observation).argmax()))
+
+    def predict_value(self, observation: FloatMap, push: Push) -> float | None:
+        """Expected total reward of the discrete push closest to `push`."""
+        values = self.q_map(observation)
+        row, col = self.workspace.xy_to_row_col(*push.start, resolution=values.shape[-1])
+        return float(values[push.nearest_direction, row, col])
+
+    def q_map(self, observation: FloatMap) -> FloatMap:
+        """Expected total reward of every discrete push, float32 (4, cells, cells)."""
+        values = self._values(observation) / REWARD_SCALE
+        cells = math.isqrt(values.size // 4)
+        return values.reshape(4, cells, cells).astype(np.float32)
+
+    def _values(self, observation: FloatMap) -> npt.NDArray[np.float32]:
+        batch = torch.as_tensor(np.asarray(observation, dtype=np.float32)[None])
+        with torch.no_grad():
+            values: npt.NDArray[np.float32] = self.network(batch)[0].numpy()
+        return values
+
+
+def build_policy(
+    config: DQNConfig, env_config: EnvConfig, workspace: Workspace | None = None
+) -> GridPolicy:
+    """A policy with untrained weights, to be filled from a checkpoint."""
+    return GridPolicy(config, env_config, workspace or Workspace())

@@ -1,0 +1,42 @@
+"""The eight symmetries of the square table, on images and on discrete pushes."""
+
+import numpy as np
+import numpy.typing as npt
+
+NUM_SYMMETRIES = 8
+
+
+def transform_images(images: npt.NDArray[np.float32], symmetry: int) -> npt.NDArray[np.float32]:
+    """Turn images by quarter turns, then mirror them.
+
+    Args:
+        images: float32 (N, H, H).
+        symmetry: Counter-clockwise quarter turns, plus 4 to mirror left and right afterwards.
+
+    Returns:
+        A view, float32 (N, H, H).
+    """
+    turned = np.rot90(images, k=symmetry % 4, axes=(1, 2))
+    return turned[:, :, ::-1] if symmetry >= 4 else turned
+
+
+def action_table(num_cells: int) -> npt.NDArray[np.int64]:
+    """What every discrete push becomes under every symmetry.
+
+    Args:
+        num_cells: Cells along each side of the grid.
+
+    Returns:
+        int64 (8, 4 * num_cells ** 2): the action that does on the transformed table what the
+        indexed action does on the original one.
+    """
+    cells = np.arange(num_cells**2).reshape(1, num_cells, num_cells).astype(np.float32)
+    table = np.empty((NUM_SYMMETRIES, 4 * num_cells**2), dtype=np.int64)
+    for symmetry in range(NUM_SYMMETRIES):
+        new_cell = np.argsort(transform_images(cells, symmetry).ravel())
+        for direction in range(4):
+            turned = (direction - symmetry) % 4
+            new_direction = (-turned) % 4 if symmetry >= 4 else turned
+            start = direction * num_cells**2
+            table[symmetry, start : start + num_cells**2] = new_direction * num_cells**2 + new_cell
+    return table

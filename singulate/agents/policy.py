@@ -1,0 +1,56 @@
+"""What the page, the evaluation and notebooks may ask of any agent."""
+
+from typing import Protocol, runtime_checkable
+
+import numpy as np
+import numpy.typing as npt
+
+from singulate.geometry import Push
+
+FloatMap = npt.NDArray[np.float32]
+
+
+@runtime_checkable
+class Policy(Protocol):
+    """Chooses pushes.
+
+    Attributes:
+        kind: Name in the agent registry, or ``random``.
+        observation: Name of the observation that it expects.
+        is_random: Whether it is nothing without a random generator.
+    """
+
+    kind: str
+    observation: str
+    is_random: bool
+
+    def act(self, observation: FloatMap, rng: np.random.Generator | None = None) -> Push:
+        """Choose a push for an observation, float32 (H, W).
+
+        Args:
+            observation: What the environment's observation encoding gave.
+            rng: Explore as in training with this generator; greedy without it.
+        """
+        ...
+
+    def predict_value(self, observation: FloatMap, push: Push) -> float | None:
+        """Total reward that the agent expects, in reward units; None where it cannot tell."""
+        ...
+
+
+@runtime_checkable
+class HasQMap(Protocol):
+    """A policy with a value for every discrete push."""
+
+    def q_map(self, observation: FloatMap) -> FloatMap:
+        """Expected total reward, float32 (4, H, W): up, right, down, left; cells of the grid."""
+        ...
+
+
+@runtime_checkable
+class HasStartDensity(Protocol):
+    """A policy with a distribution of start positions."""
+
+    def start_density(self, observation: FloatMap) -> FloatMap:
+        """Probability that a push starts in each image cell, float32 (H, W), summing to 1."""
+        ...

@@ -1,0 +1,104 @@
+"""``singulate evaluate``: how good an agent is on scenes that it has never seen."""
+
+import argparse
+import json
+import os
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from rich.console import Console
+from rich.table import Table
+
+from singulate.agents.policy import Policy
+from singulate.agents.random_policy import RandomPolicy
+from singulate.cli.progress import CountBar
+from singulate.envs import EnvConfig
+
+if TYPE_CHECKING:
+    from singulate.evaluation import Evaluation
+
+    Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
+
+ENV_OPTIONS = ("scenario", "reward", "max_pushes", "goal_separation")
+
+
+def add_parser(subparsers: "Subparsers") -> None:
+    """Add the command to a parser."""
+    text = "success and rewards of a trained agent on unseen scenes"
+    parser = subparsers.add_parser("evaluate", help=text, description=text)
+    parser.add_argument(
+        "checkpoint",
+        metavar="CHECKPOINT",
+        help="a checkpoint, a run directory (its newest checkpoint), or `random`",
+    )
+    parser.add_argument("--scenario", help="such as random-2 (the one it was trained on)")
+    parser.add_argument("--episodes", type=int, default=1000, help="(%(default)s)")
+    parser.add_argument("--seed", type=int, default=7, help="decides the scenes (%(default)s)")
+    parser.add_argument("--reward", help="(the one it was trained on)")
+    parser.add_argument("--max-pushes", type=int, help="pushes an episode may take")
+    parser.add_argument("--goal-separation", type=float, metavar="M", help="d_goal of Eq. 2 [m]")
+    parser.add_argument("--workers", type=int, help="worker processes (one a core)")
+    parser.add_argument("--json", action="store_true", help="print JSON")
+    parser.set_defaults(run=_run)
+
+
+def _run(args: argparse.Namespace) -> int:
+    from singulate.evaluation import evaluate
+
+    policy, source, env_config = _load(args.checkpoint)
+    changes = {name: getattr(args, name) for name in ENV_OPTIONS}
+    env_config = replace(env_config, **{k: v for k, v in changes.items() if v is not None})
+    workers = (os.cpu_count() or 1) if args.workers is None else args.workers
+    with CountBar("Evaluating", args.episodes) as bar:
+        evaluation = evaluate(
+            policy, env_config, args.episodes, args.seed, workers=workers, on_progress=bar.set
+        )
+    about = {
+        "checkpoint": source,
+        "agent": policy.kind,
+        "scenario": env_config.scenario,
+        "reward": env_config.reward,
+        "goal_separation": env_config.goal_separation,
+        "max_pushes": env_config.push_limit,
+        "seed": args.seed,
+    }
+    if args.json:
+        print(json.dumps({**about, **evaluation.to_dict()}))
+    else:
+        _print_text(about, evaluation)
+    return 0
+
+
+def _load(name: str) -> tuple[Policy, str, EnvConfig]:
+    """A policy, where it is from, and the task it was trained on."""
+    if name == "random":
+        return RandomPolicy(), name, EnvConfig()
+    from singulate.agents.loading import checkpoint_directory, policy_from_checkpoint
+    from singulate.checkpoints import read_checkpoint
+
+    directory = checkpoint_directory(Path(name))
+    checkpoint = read_checkpoint(directory, with_files=False)
+    policy = policy_from_checkpoint(checkpoint)
+    return policy, str(directory), EnvConfig.from_dict(checkpoint.manifest.env_config)
+
+
+def _print_text(about: dict[str, Any], evaluation: "Evaluation") -> None:
+    low, high = evaluation.success_interval
+    console = Console()
+    console.print(
+        f"{about['checkpoint']} on {about['scenario']}, {evaluation.num_episodes} episodes "
+        f"(seed {about['seed']}, goal {about['goal_separation']:g} m)",
+        highlight=False,
+    )
+    table = Table(box=None, show_header=False)
+    table.add_row(
+        "success", f"{evaluation.success_rate:.1%}", f"95 % interval {low:.1%} to {high:.1%}"
+    )
+    terms = ", ".join(f"{k} {v:.1f}" for k, v in evaluation.mean_reward_by_term.items())
+    table.add_row("mean reward", f"{evaluation.mean_reward:.1f}", terms)
+    table.add_row("mean pushes", f"{evaluation.mean_pushes:.2f}", "")
+    failures = ", ".join(f"{kind} {count}" for kind, count in evaluation.failures.items())
+    num_failures = evaluation.num_episodes - evaluation.num_successes
+    table.add_row("failures", str(num_failures), failures or "none")
+    console.print(table)

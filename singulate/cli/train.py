@@ -1,0 +1,162 @@
+"""``singulate train``: train an agent, or continue a run."""
+
+import argparse
+import json
+import sys
+from datetime import datetime
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from singulate.agents.registry import AGENTS, agent_kind
+from singulate.cli.progress import TrainingBar
+from singulate.envs import ACTION_ENCODINGS, OBSERVATIONS, EnvConfig
+from singulate.exceptions import InvalidValueError
+from singulate.paths import default_runs_directory
+from singulate.rewards import REWARDS
+from singulate.runs import RunDirectory
+from singulate.runs.json_text import parse_json_object
+from singulate.training.config import TrainingConfig
+
+if TYPE_CHECKING:
+    from singulate.training.trainer import TrainingResult
+
+    Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
+
+DEFAULT_STEPS = 20_000
+NEW_RUN_OPTIONS = (
+    "agent", "scenario", "seed", "observation", "action", "reward", "max_pushes",
+    "goal_separation", "checkpoint_every", "settings",
+)  # fmt: skip
+"""Options that describe a new run, so they fit neither ``--config`` nor ``--resume``."""
+
+
+def add_parser(subparsers: "Subparsers") -> None:
+    """Add the command to a parser."""
+    text = "train an agent"
+    parser = subparsers.add_parser("train", help=text, description=text)
+    parser.add_argument("--agent", help=f"{', '.join(AGENTS)}")
+    parser.add_argument("--scenario", help="such as fixed-2, random-3, cluster-5 (random-2)")
+    parser.add_argument("--steps", type=int, help=f"pushes in all ({DEFAULT_STEPS})")
+    parser.add_argument("--seed", type=int, help="decides everything random (0)")
+    parser.add_argument("--observation", help=", ".join(OBSERVATIONS))
+    parser.add_argument("--action", help=", ".join(ACTION_ENCODINGS))
+    parser.add_argument("--reward", help=", ".join(REWARDS))
+    parser.add_argument("--max-pushes", type=int, help="pushes an episode may take")
+    parser.add_argument("--goal-separation", type=float, metavar="M", help="d_goal of Eq. 2 [m]")
+    parser.add_argument("--checkpoint-every", type=int, metavar="N", help="pushes between them")
+    parser.add_argument(
+        "--set",
+        dest="settings",
+        action="append",
+        metavar="KEY=VALUE",
+        help="a setting of the agent, such as learning_rate=0.001",
+    )
+    parser.add_argument("--run-dir", type=Path, metavar="D", help="directory of a new run")
+    parser.add_argument("--resume", type=Path, metavar="D", help="continue this run")
+    parser.add_argument("--config", type=Path, metavar="FILE", help="all settings, as JSON")
+    parser.add_argument("--json", action="store_true", help="print JSON")
+    parser.set_defaults(run=_run)
+
+
+def _run(args: argparse.Namespace) -> int:
+    config, run_dir = _resolve(args)
+    from singulate.training.trainer import train
+
+    with TrainingBar(config.total_timesteps) as bar:
+        result = train(config, run_dir, resume=args.resume is not None, on_progress=bar.update)
+    if args.json:
+        print(json.dumps(_summary(result)))
+    else:
+        print(_text(result))
+    return 130 if result.was_interrupted else 0
+
+
+def _resolve(args: argparse.Namespace) -> tuple[TrainingConfig, Path]:
+    """The run's settings and directory; see `train`."""
+    if args.resume is not None:
+        _refuse(args, (*NEW_RUN_OPTIONS, "run_dir", "config"), "--resume")
+        values = RunDirectory(args.resume).open().read_config()
+        if args.steps is not None:
+            values["total_timesteps"] = args.steps
+        return TrainingConfig.from_dict(values), args.resume
+    config = _config_of_file(args) if args.config is not None else _config_of_options(args)
+    return config, args.run_dir or _new_run_dir(config)
+
+
+def _refuse(args: argparse.Namespace, names: tuple[str, ...], beside: str) -> None:
+    for name in names:
+        value = getattr(args, name)
+        if value is not None:
+            option = "--set" if name == "settings" else "--" + name.replace("_", "-")
+            raise InvalidValueError(option, value, f"nothing beside {beside}")
+
+
+def _config_of_file(args: argparse.Namespace) -> TrainingConfig:
+    _refuse(args, (*NEW_RUN_OPTIONS, "steps"), "--config")
+    try:
+        values = parse_json_object(args.config.read_bytes())
+    except ValueError as error:
+        raise InvalidValueError("config", str(args.config), f"a JSON object ({error})") from None
+    return TrainingConfig.from_dict(values)
+
+
+def _config_of_options(args: argparse.Namespace) -> TrainingConfig:
+    if args.agent is None:
+        raise InvalidValueError("agent", None, ", ".join(AGENTS))
+    kind = agent_kind(args.agent)
+    env_names = ("scenario", "observation", "reward", "max_pushes", "goal_separation")
+    env_values = {name: getattr(args, name) for name in env_names}
+    env_values["action"] = args.action or kind.actions[0]
+    given: dict[str, Any] = {"seed": args.seed, "checkpoint_every": args.checkpoint_every}
+    return TrainingConfig(
+        agent=kind.name,
+        env=EnvConfig.from_dict({k: v for k, v in env_values.items() if v is not None}),
+        total_timesteps=DEFAULT_STEPS if args.steps is None else args.steps,
+        agent_config=dict(_parse_setting(text) for text in args.settings or []),
+        **{name: value for name, value in given.items() if value is not None},
+    )
+
+
+def _parse_setting(text: str) -> tuple[str, Any]:
+    key, equals, value = text.partition("=")
+    if not equals:
+        raise InvalidValueError("--set", text, "KEY=VALUE")
+    try:
+        return key, json.loads(value)
+    except ValueError:
+        return key, value
+
+
+def _new_run_dir(config: TrainingConfig) -> Path:
+    now = datetime.now().strftime("%Y%m%d-%H%M%S")
+    name = f"{config.agent}-{config.env.scenario}-seed{config.seed}-{now}"
+    directory = default_runs_directory() / name
+    for number in range(2, 1000):
+        if not directory.exists():
+            break
+        directory = default_runs_directory() / f"{name}-{number}"
+    print(f"Run directory: {directory}", file=sys.stderr)
+    return directory
+
+
+def _summary(result: "TrainingResult") -> dict[str, Any]:
+    progress = result.progress
+    return {
+        "run_dir": str(result.run_dir),
+        "state": result.state,
+        "checkpoint": str(result.checkpoint),
+        "num_steps": progress.num_steps,
+        "recent_success_rate": progress.success_rate,
+        "recent_mean_reward": progress.mean_reward,
+    }
+
+
+def _text(result: "TrainingResult") -> str:
+    progress = result.progress
+    return (
+        f"{result.state.capitalize()} after {progress.num_steps:,} pushes; while exploring, the "
+        f"last thousand episodes had {progress.success_rate:.1%} success and a mean reward of "
+        f"{progress.mean_reward:.0f}.\n"
+        f"Checkpoint: {result.checkpoint}\n"
+        f"Measure it: singulate evaluate {result.checkpoint}"
+    )

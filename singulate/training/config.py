@@ -1,0 +1,89 @@
+"""Everything that decides a training run."""
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field, fields
+from typing import Any, Self
+
+from singulate.agents.config_fields import check_int
+from singulate.agents.registry import AgentConfig, AgentKind, agent_kind
+from singulate.envs import EnvConfig
+from singulate.exceptions import InvalidValueError
+
+MAX_SEED = 2**32 - 1
+
+
+@dataclass(frozen=True)
+class TrainingConfig:
+    """A run's settings; two runs with equal settings are equal, bit for bit.
+
+    Attributes:
+        agent: Kind of agent (``dqn``, ``ppo``).
+        env: The environment.
+        total_timesteps: Pushes to train for.
+        seed: Decides the network, all random choices and all scenes.
+        agent_config: The agent's settings by name; absent ones take their defaults.
+        checkpoint_every: Pushes between checkpoints.
+        num_checkpoints: Checkpoints that are kept; older ones are removed.
+        num_threads: Threads of torch.
+
+    Raises:
+        InvalidValueError: If a value is not allowed, or the agent cannot use the action encoding.
+    """
+
+    agent: str
+    env: EnvConfig
+    total_timesteps: int
+    seed: int = 0
+    agent_config: Mapping[str, Any] = field(default_factory=dict)
+    checkpoint_every: int = 5_000
+    num_checkpoints: int = 5
+    num_threads: int = 1
+
+    def __post_init__(self) -> None:
+        if self.env.action not in self.kind.actions:
+            raise InvalidValueError(
+                "action", self.env.action, f"{', '.join(self.kind.actions)} for {self.agent}"
+            )
+        check_int("steps", self.total_timesteps, 1, 1_000_000_000)
+        check_int("seed", self.seed, 0, MAX_SEED)
+        check_int("checkpoint_every", self.checkpoint_every, 1, 1_000_000_000)
+        check_int("num_checkpoints", self.num_checkpoints, 1, 10_000)
+        check_int("num_threads", self.num_threads, 1, 256)
+        resolved = asdict(self.kind.make_config(self.agent_config))
+        resolved["net_arch"] = list(resolved["net_arch"])
+        object.__setattr__(self, "agent_config", resolved)
+
+    @property
+    def kind(self) -> AgentKind:
+        """The agent's entry in the registry."""
+        return agent_kind(self.agent)
+
+    @property
+    def resolved_agent_config(self) -> AgentConfig:
+        """The agent's settings, checked."""
+        return self.kind.make_config(self.agent_config)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values, for JSON, every default filled in."""
+        values = {item.name: getattr(self, item.name) for item in fields(self)}
+        return {**values, "env": self.env.to_dict(), "agent_config": dict(self.agent_config)}
+
+    @classmethod
+    def from_dict(cls, values: Mapping[str, Any]) -> Self:
+        """The inverse of `to_dict`.
+
+        Raises:
+            InvalidValueError: If a key is unknown or missing, or a value is not allowed.
+        """
+        if not isinstance(values, Mapping):
+            raise InvalidValueError("training configuration", values, "an object with keys")
+        names = [item.name for item in fields(cls)]
+        for key in values:
+            if key not in names:
+                raise InvalidValueError(key, values[key], "one of " + ", ".join(names))
+        for key in ("agent", "env", "total_timesteps"):
+            if key not in values:
+                raise InvalidValueError(key, None, "a value, it is missing")
+        if not isinstance(values["env"], Mapping):
+            raise InvalidValueError("env", values["env"], "an object with keys")
+        return cls(**{**values, "env": EnvConfig.from_dict(values["env"])})

@@ -1,0 +1,202 @@
+"""One training under way: what happens after each push and at each safe point."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from stable_baselines3.common.base_class import BaseAlgorithm
+
+from singulate.agents.loading import tensors_of
+from singulate.checkpoints import Manifest, prune, save_checkpoint
+from singulate.exceptions import CheckpointError
+from singulate.runs import Heartbeat, RunDirectory
+from singulate.training.config import TrainingConfig
+from singulate.training.controls import Controls
+from singulate.training.metrics import EpisodeMetrics, model_metrics
+from singulate.training.seeded_episodes import SeededEpisodes
+from singulate.training.speed import SpeedMeter
+from singulate.training.telemetry import Telemetry
+from singulate.training.training_state import capture_training
+
+METRICS_EVERY = 100
+"""Pushes between two points of a training curve."""
+
+
+@dataclass(frozen=True)
+class Progress:
+    """How far a training is, for whoever waits for it.
+
+    Attributes:
+        num_steps: Pushes done.
+        total_steps: Pushes asked for.
+        pushes_per_second: Current speed.
+        eta_s: Time left [s], None while unknown.
+        success_rate: Share of successes among the last thousand episodes.
+        mean_reward: Mean reward of those episodes.
+    """
+
+    num_steps: int
+    total_steps: int
+    pushes_per_second: float
+    eta_s: float | None
+    success_rate: float
+    mean_reward: float
+
+
+@dataclass(frozen=True)
+class Links:
+    """A training's links to the world.
+
+    Attributes:
+        telemetry: Where pushes and metrics go.
+        heartbeat: Where the state is shown.
+        controls: What people want.
+        on_progress: Called after every push.
+    """
+
+    telemetry: Telemetry
+    heartbeat: Heartbeat
+    controls: Controls
+    on_progress: Callable[[Progress], None] | None = None
+
+
+class TrainingStopped(Exception):  # noqa: N818 - no error: leaves stable-baselines3's loop
+    """Raised between two rollouts, after a checkpoint, because somebody asked to stop."""
+
+
+class TrainingSession:
+    """Acts for a training on its run directory and on what people ask of it.
+
+    Args:
+        config: The run's settings.
+        run_dir: The run's directory, locked by this process.
+        model: The model in training.
+        episodes: Its environment.
+        links: Where its results go and its orders come from.
+    """
+
+    def __init__(
+        self,
+        config: TrainingConfig,
+        run_dir: Path,
+        model: BaseAlgorithm,
+        episodes: SeededEpisodes,
+        links: Links,
+    ) -> None:
+        self.config = config
+        self.run = RunDirectory(run_dir)
+        self.model = model
+        self.episodes = episodes
+        self.telemetry = links.telemetry
+        self.heartbeat = links.heartbeat
+        self.controls = links.controls
+        self.metrics = EpisodeMetrics()
+        self._on_progress = links.on_progress
+        self._speed = SpeedMeter()
+        self._checkpoint_step = -1
+
+    @property
+    def progress(self) -> Progress:
+        """How far it is."""
+        num_steps, total = self.model.num_timesteps, self.config.total_timesteps
+        return Progress(
+            num_steps,
+            total,
+            self._speed.pushes_per_second,
+            self._speed.eta_s(total - num_steps),
+            self.metrics.success_rate,
+            self.metrics.mean_reward,
+        )
+
+    def after_push(self, info: Mapping[str, Any], predicted: float | None, is_done: bool) -> None:
+        """Record a push and, now and then, metrics.
+
+        Args:
+            info: What the environment said about it.
+            predicted: Reward that the agent expected.
+            is_done: Whether it ended its episode.
+        """
+        step = self.model.num_timesteps
+        self.telemetry.add_push(step, info, predicted)
+        self.metrics.add_push(info["reward"], info["reward_terms"], info["is_success"], is_done)
+        self._speed.add(step)
+        progress = self.progress
+        self.heartbeat.update(
+            num_steps=step, pushes_per_second=progress.pushes_per_second, eta_s=progress.eta_s
+        )
+        if step % METRICS_EVERY == 0:
+            values = {**self.metrics.collect(), **model_metrics(self.model)}
+            values["time/pushes_per_second"] = progress.pushes_per_second
+            self.telemetry.add_metrics(step, values)
+        if self._on_progress is not None:
+            self._on_progress(progress)
+
+    def between_pushes(self) -> None:
+        """Wait while paused, in the middle of a rollout, where no checkpoint can be saved."""
+        if self.controls.is_pausing:
+            self.controls.wait_for_resume()
+            self._speed.restart()
+
+    def at_safe_point(self) -> None:
+        """Between two rollouts: save a checkpoint where one is due, wait, or stop.
+
+        Raises:
+            TrainingStopped: If somebody asked for it.
+        """
+        while True:
+            wanted = self.controls.take_checkpoint_request() or self.controls.is_stopping
+            if wanted or self._is_checkpoint_due():
+                self._save_or_pause()
+            if self.controls.is_stopping:
+                raise TrainingStopped
+            if not self.controls.is_pausing:
+                return
+            self.controls.wait_while_paused()
+            self._speed.restart()
+
+    def save_checkpoint(self) -> Path:
+        """Save all that is needed to continue from here.
+
+        Raises:
+            CheckpointError: If it cannot be written or the training has diverged.
+        """
+        step = self.model.num_timesteps
+        directory = self.run.checkpoint_path(step)
+        if step == self._checkpoint_step and directory.exists():
+            return directory
+        manifest = Manifest(
+            agent=self.config.agent,
+            agent_config=self.config.agent_config,
+            env_config=self.config.env.to_dict(),
+            step=step,
+            notes={"seed": self.config.seed},
+        )
+        network = self.config.kind.network_of(self.model)
+        files = capture_training(self.model, self.episodes)
+        save_checkpoint(directory, tensors_of(network), manifest, files)
+        prune(self.run.checkpoints_path, self.config.num_checkpoints)
+        self._checkpoint_step = step
+        self.telemetry.record.add_event("checkpoint", step=step)
+        return directory
+
+    def mark_checkpoint(self) -> None:
+        """Note that the present state was just loaded from a checkpoint."""
+        self._checkpoint_step = self.model.num_timesteps
+
+    def _is_checkpoint_due(self) -> bool:
+        every = self.config.checkpoint_every
+        step, last = self.model.num_timesteps, self._checkpoint_step
+        return last < 0 or step // every > last // every
+
+    def _save_or_pause(self) -> None:
+        try:
+            self.save_checkpoint()
+            if self.heartbeat.status.error:
+                self.heartbeat.update(error="")
+        except CheckpointError as error:
+            if self.controls.is_stopping:
+                raise
+            self.telemetry.record.add_event("checkpoint_failed", reason=str(error))
+            self.heartbeat.update(error=str(error))
+            self.controls.request("pause")

@@ -1,0 +1,69 @@
+"""Where a trainer writes what happens: the run's record and TensorBoard event files."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from types import TracebackType
+from typing import Any, Self
+
+from torch.utils.tensorboard import SummaryWriter
+
+from singulate.envs.outcome_kind import outcome_kind
+from singulate.runs import PushRecord, RunDirectory, RunRecord
+
+
+class Telemetry:
+    """Record and event files of one run; a context manager.
+
+    Args:
+        run_dir: The run's directory, locked by this process.
+        resumed_step: Where the run is continued; what lies after it is dropped. None for a new run.
+    """
+
+    def __init__(self, run_dir: Path, resumed_step: int | None = None) -> None:
+        self.record = RunRecord(run_dir)
+        purge_step = None if resumed_step is None else resumed_step + 1
+        if resumed_step is not None:
+            self.record.rewind(resumed_step)
+        self._events = SummaryWriter(
+            str(RunDirectory(run_dir).tensorboard_path), purge_step=purge_step
+        )
+
+    def add_push(self, step: int, info: Mapping[str, Any], predicted: float | None) -> None:
+        """Record a push.
+
+        Args:
+            step: Training step.
+            info: What the environment said about it.
+            predicted: Reward that the agent expected.
+        """
+        self.record.add_push(
+            PushRecord(
+                step=step,
+                episode=info["episode_index"],
+                push=info["push"],
+                reward=info["reward"],
+                terms=info["reward_terms"],
+                is_success=info["is_success"],
+                outcome=outcome_kind(info["outcome"], info["is_success"]),
+                poses=info["poses_before"],
+                predicted=predicted,
+            )
+        )
+
+    def add_metrics(self, step: int, values: Mapping[str, float]) -> None:
+        """Record metrics by name."""
+        self.record.add_metrics(step, values)
+        for name, value in values.items():
+            self._events.add_scalar(name, value, step)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        exc_type: type[BaseException] | None,
+        exc: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        self._events.close()
+        self.record.close()

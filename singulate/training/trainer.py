@@ -1,0 +1,133 @@
+"""Trains an agent in this process."""
+
+import json
+from collections.abc import Callable
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+
+import torch
+from stable_baselines3.common.base_class import BaseAlgorithm
+from stable_baselines3.common.logger import Logger
+from stable_baselines3.common.vec_env import DummyVecEnv
+
+from singulate.agents.reward_scale import ScaledReward
+from singulate.checkpoints import read_checkpoint
+from singulate.checkpoints.durable import replace_file
+from singulate.envs import PushEnv
+from singulate.runs import Heartbeat, RunDirectory, RunLock, RunStatus
+from singulate.training.callback import SessionCallback
+from singulate.training.config import TrainingConfig
+from singulate.training.controls import Controls, stop_on_signals
+from singulate.training.seeded_episodes import SeededEpisodes
+from singulate.training.session import Links, Progress, TrainingSession, TrainingStopped
+from singulate.training.telemetry import Telemetry
+from singulate.training.training_state import restore_training
+
+
+@dataclass(frozen=True)
+class TrainingResult:
+    """How a training ended.
+
+    Attributes:
+        run_dir: Its run directory.
+        state: ``finished`` or ``stopped``.
+        was_interrupted: Whether Ctrl-C stopped it.
+        checkpoint: Its last checkpoint.
+        progress: How far it came.
+    """
+
+    run_dir: Path
+    state: str
+    was_interrupted: bool
+    checkpoint: Path
+    progress: Progress
+
+
+def train(
+    config: TrainingConfig,
+    run_dir: Path,
+    resume: bool = False,
+    on_progress: Callable[[Progress], None] | None = None,
+) -> TrainingResult:
+    """Train until the steps are done or somebody asks to stop.
+
+    PPO stops at the end of a rollout, so it may go up to `n_steps` - 1 pushes beyond the total.
+
+    Args:
+        config: The run's settings.
+        run_dir: Directory of the run: new, or one to continue.
+        resume: Continue from the newest checkpoint, exactly as if the run had never stopped.
+        on_progress: Called after every push.
+
+    Raises:
+        RunError: If the directory holds a run already (or none, on `resume`), is being written by
+            another process, or is not writable.
+        CheckpointError: If the checkpoint to continue from does not fit.
+    """
+    run = RunDirectory(run_dir)
+    if resume:
+        run.open()
+    else:
+        run.create(config.to_dict())
+    torch.set_num_threads(config.num_threads)
+    with ExitStack() as stack:
+        stack.enter_context(RunLock(run_dir))
+        if resume:
+            text = json.dumps(config.to_dict(), indent=2) + "\n"
+            replace_file(run.config_path, text.encode())
+        status = RunStatus(state="starting", total_steps=config.total_timesteps)
+        heartbeat = stack.enter_context(Heartbeat(run_dir, status))
+        controls = stack.enter_context(Controls(run_dir, heartbeat))
+        stack.enter_context(stop_on_signals(controls))
+        env = PushEnv(None, **config.env.to_dict())
+        stack.callback(env.close)
+        episodes = SeededEpisodes(env, config.seed)
+        model = _build_model(config, episodes)
+        resumed_step = _restore(model, episodes, run) if resume else None
+        telemetry = stack.enter_context(Telemetry(run_dir, resumed_step))
+        links = Links(telemetry, heartbeat, controls, on_progress)
+        session = TrainingSession(config, run_dir, model, episodes, links)
+        if resumed_step:
+            session.mark_checkpoint()
+        return _learn(session)
+
+
+def _build_model(config: TrainingConfig, episodes: SeededEpisodes) -> BaseAlgorithm:
+    env = DummyVecEnv([lambda: ScaledReward(episodes)])
+    model = config.kind.build_model(
+        config.resolved_agent_config, env, config.env.observation, config.seed
+    )
+    model.set_logger(Logger(folder=None, output_formats=[]))
+    return model
+
+
+def _restore(model: BaseAlgorithm, episodes: SeededEpisodes, run: RunDirectory) -> int:
+    """Load the newest checkpoint; the step that it was saved at, 0 where there is none."""
+    newest = run.latest_checkpoint()
+    if newest is not None:
+        restore_training(model, episodes, read_checkpoint(newest).files)
+    return model.num_timesteps
+
+
+def _learn(session: TrainingSession) -> TrainingResult:
+    model, heartbeat = session.model, session.heartbeat
+    if heartbeat.status.state == "starting":
+        heartbeat.update(state="running", num_steps=model.num_timesteps)
+    session.telemetry.record.add_event("started", step=model.num_timesteps)
+    state = "finished"
+    try:
+        model.learn(
+            max(session.config.total_timesteps - model.num_timesteps, 0),
+            callback=SessionCallback(session),
+            log_interval=None,  # type: ignore[arg-type]
+            reset_num_timesteps=False,
+        )
+    except TrainingStopped:
+        state = "stopped"
+    checkpoint = session.save_checkpoint()
+    session.telemetry.record.add_event(state, step=model.num_timesteps)
+    session.telemetry.record.flush()
+    heartbeat.update(state=state, num_steps=model.num_timesteps, eta_s=None, error="")
+    interrupted = session.controls.was_interrupted
+    return TrainingResult(session.run.path, state, interrupted, checkpoint, session.progress)

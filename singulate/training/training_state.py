@@ -1,0 +1,118 @@
+"""Everything beyond the weights that a run needs to go on as if it had never stopped.
+
+stable-baselines3's own files are pickles and leave out the random generators.
+"""
+
+import json
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import torch
+from stable_baselines3.common.base_class import BaseAlgorithm
+from stable_baselines3.common.buffers import ReplayBuffer
+
+from singulate.agents.loading import load_tensors, tensors_of
+from singulate.checkpoints import decode_tensors, encode_tensors
+from singulate.exceptions import CheckpointError
+from singulate.training.random_states import (
+    capture_generators,
+    capture_global_generators,
+    restore_generators,
+    restore_global_generators,
+)
+from singulate.training.replay_state import capture_replay, restore_replay
+from singulate.training.seeded_episodes import SeededEpisodes
+
+STATE_FILE = "training_state.json"
+TENSORS_FILE = "training_state.safetensors"
+COUNTERS = ("num_timesteps", "_n_updates", "_episode_num", "_n_calls", "exploration_rate")
+
+Tensors = dict[str, npt.NDArray[np.generic]]
+
+
+def capture_training(model: BaseAlgorithm, episodes: SeededEpisodes) -> dict[str, bytes]:
+    """The state of a training between two rollouts, as files for a checkpoint.
+
+    Args:
+        model: The model; its environment is `episodes`, wrapped.
+        episodes: The environment.
+
+    Raises:
+        CheckpointError: If the training has diverged to values that are not finite.
+    """
+    values: dict[str, Any] = {
+        "counters": {name: getattr(model, name) for name in COUNTERS if hasattr(model, name)},
+        "episode_starts": np.asarray(model._last_episode_starts).tolist(),
+        "episodes": episodes.state,
+        "generators": capture_generators(_generators(model)),
+    }
+    tensors: Tensors = {f"policy.{k}": array for k, array in tensors_of(model.policy).items()}
+    tensors.update(_capture_optimizer(model.policy.optimizer))
+    values["random"], random_tensors = capture_global_generators()
+    tensors.update(random_tensors)
+    buffer = _replay_buffer(model)
+    if buffer is not None:
+        values["replay"], replay = capture_replay(buffer, episodes.push_env.config.observation)
+        tensors.update(replay)
+    return {STATE_FILE: json.dumps(values).encode(), TENSORS_FILE: encode_tensors(tensors)}
+
+
+def restore_training(
+    model: BaseAlgorithm, episodes: SeededEpisodes, files: Mapping[str, bytes]
+) -> None:
+    """The inverse of `capture_training`, into a freshly built model and environment.
+
+    Raises:
+        CheckpointError: If the checkpoint holds no training state or it does not fit.
+    """
+    if STATE_FILE not in files or TENSORS_FILE not in files:
+        raise CheckpointError("checkpoint: holds no training state, it cannot be continued")
+    tensors = decode_tensors(files[TENSORS_FILE], TENSORS_FILE)
+    try:
+        values = json.loads(files[STATE_FILE])
+        prefix = "policy."
+        weights = {k[len(prefix) :]: a for k, a in tensors.items() if k.startswith(prefix)}
+        load_tensors(model.policy, weights)
+        _restore_optimizer(model.policy.optimizer, tensors)
+        buffer = _replay_buffer(model)
+        if buffer is not None:
+            observation = episodes.push_env.config.observation
+            restore_replay(buffer, observation, values["replay"], tensors)
+        model._last_obs = episodes.restore(values["episodes"])[None]
+        model._last_episode_starts = np.array(values["episode_starts"], dtype=np.bool_)
+        for name, value in values["counters"].items():
+            setattr(model, name, value)
+        restore_generators(_generators(model), values["generators"])
+        restore_global_generators(values["random"], tensors)
+    except (KeyError, ValueError, TypeError, RuntimeError, IndexError) as error:
+        raise CheckpointError(f"checkpoint: training state does not fit: {error}") from error
+
+
+def _replay_buffer(model: BaseAlgorithm) -> ReplayBuffer | None:
+    buffer = getattr(model, "replay_buffer", None)
+    return buffer if isinstance(buffer, ReplayBuffer) else None
+
+
+def _generators(model: BaseAlgorithm) -> dict[str, np.random.Generator]:
+    own: dict[str, np.random.Generator] = getattr(model, "generators", {})
+    return {"action_space": model.action_space.np_random, **own}
+
+
+def _capture_optimizer(optimizer: torch.optim.Optimizer) -> Tensors:
+    return {
+        f"optimizer.{index}.{name}": tensor.numpy().copy()
+        for index, state in optimizer.state_dict()["state"].items()
+        for name, tensor in state.items()
+    }
+
+
+def _restore_optimizer(optimizer: torch.optim.Optimizer, tensors: Tensors) -> None:
+    state: dict[int, dict[str, torch.Tensor]] = {}
+    for key, array in tensors.items():
+        if key.startswith("optimizer."):
+            _, index, name = key.split(".")
+            state.setdefault(int(index), {})[name] = torch.from_numpy(np.array(array))
+    groups = optimizer.state_dict()["param_groups"]
+    optimizer.load_state_dict({"state": state, "param_groups": groups})
