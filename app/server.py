@@ -1,6 +1,7 @@
 """viser's server behind our own door."""
 
 import contextlib
+import errno
 import socket
 from collections.abc import Awaitable, Callable, Iterator
 from typing import Any
@@ -76,7 +77,7 @@ def open_server(listener: socket.socket, policy: AccessPolicy) -> viser.ViserSer
 
 
 def _refused(error: OSError, host: str, port: int) -> InvalidValueError:
-    if error.errno is not None and "in use" in str(error):
+    if error.errno == errno.EADDRINUSE:
         return InvalidValueError(
             "--port", f"{port}, which another program uses", "a free port, or 0 to be given one"
         )

@@ -1,0 +1,60 @@
+"""The command line of the dashboard, as a library and as a program."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from app.options import Options, parse_options
+from app.server import bind
+from singulate.exceptions import InvalidValueError
+
+
+def test_defaults_are_safe() -> None:
+    assert parse_options([]) == Options()
+    assert Options().host == "127.0.0.1"
+    assert Options().token is None
+
+
+def test_a_generated_token_is_long_and_new_every_time() -> None:
+    first, second = (parse_options(["--token", "auto"]).token for _ in range(2))
+    assert first is not None
+    assert len(first) >= 16
+    assert first != second
+
+
+@pytest.mark.parametrize("host", ["0.0.0.0", "::", "192.168.1.7", "example.com"])
+def test_addresses_that_others_can_reach_need_a_token(host: str) -> None:
+    with pytest.raises(InvalidValueError, match="--token auto"):
+        parse_options(["--host", host])
+    assert parse_options(["--host", host, "--token", "long-enough"]).host == host
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["--port", "70000"],
+        ["--seed", "-1"],
+        ["--token", "short"],
+        ["--token", "with space and&sign"],
+        ["--scenario", "random-99"],
+        ["--run", "no/such/directory"],
+    ],
+)
+def test_bad_values_are_one_line(arguments: list[str]) -> None:
+    with pytest.raises(InvalidValueError, match=arguments[0]) as refused:
+        parse_options(arguments)
+    assert "\n" not in str(refused.value)
+
+
+def test_a_busy_port_ends_the_program_with_one_line_and_status_2() -> None:
+    with bind("127.0.0.1", 0) as listener:
+        port = listener.getsockname()[1]
+        command = [sys.executable, "-m", "app", "--port", str(port)]
+        root = Path(__file__).parents[2]
+        done = subprocess.run(command, capture_output=True, text=True, cwd=root, timeout=60)
+    assert done.returncode == 2
+    assert done.stdout == ""
+    assert done.stderr.startswith("singulate: error: --port")
+    assert done.stderr.count("\n") == 1
