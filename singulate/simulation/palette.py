@@ -1,7 +1,6 @@
-"""Colours of the bodies, RGBA in [0, 1]; the page draws the scene in the same ones."""
+"""Colours of what the cameras see, RGBA in [0, 1]."""
 
 TABLE_COLOUR = (0.93, 0.92, 0.89, 1.0)
-PUSHER_COLOUR = (0.22, 0.24, 0.28, 1.0)
 BLOCK_COLOURS = (
     (0.27, 0.47, 0.67, 1.0),
     (0.93, 0.60, 0.33, 1.0),

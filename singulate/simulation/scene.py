@@ -13,6 +13,7 @@ from singulate.exceptions import InvalidValueError, SimulationError
 from singulate.geometry import CameraFrame, Layout, Poses, Push, Workspace, standing_pose
 from singulate.geometry.rectangle import penetration
 from singulate.simulation.camera import OverheadCamera, picture
+from singulate.simulation.fallen import is_fallen
 from singulate.simulation.footprint import (
     SWEEP_MARGIN,
     block_footprint,
@@ -20,7 +21,8 @@ from singulate.simulation.footprint import (
     swept_footprint,
 )
 from singulate.simulation.physics import Physics
-from singulate.simulation.world import World, is_fallen
+from singulate.simulation.stage import Stage
+from singulate.simulation.world import World
 
 _MAX_PUSHER_ERROR = 0.02
 """A pusher further than this from its target means that the physics went wrong [m]."""
@@ -69,10 +71,9 @@ class Scene:
         self.workspace = workspace or Workspace()
         self.physics = physics or Physics()
         self._world = World(self.workspace, self.physics)
+        self._stage = Stage(self.workspace)
         self._camera = OverheadCamera(self.workspace)
         self._poses: Poses = ()
-        self._is_shown = False
-        self._is_fresh = False
 
     def __enter__(self) -> Self:
         return self
@@ -88,6 +89,7 @@ class Scene:
     def close(self) -> None:
         """Release the physics engine."""
         self._world.close()
+        self._stage.close()
 
     @property
     def poses(self) -> Poses:
@@ -108,7 +110,6 @@ class Scene:
             if not all(map(math.isfinite, (*pose.position, *pose.quaternion, pose.side))):
                 raise InvalidValueError(f"poses[{i}]", pose, "finite numbers")
         self._poses = poses
-        self._is_shown = self._is_fresh = False
 
     def is_blocked(self, push: Push) -> bool:
         """Whether the pusher, lowered at the start, would land on a block."""
@@ -153,13 +154,13 @@ class Scene:
 
     def photograph(self) -> CameraFrame:
         """What the camera sees of the blocks at rest."""
-        self._show()
-        return self._camera.photograph(self._world.client)
+        self._stage.show(self._poses)
+        return self._camera.photograph(self._stage.client)
 
     def picture(self, width: int = 480, height: int = 360) -> npt.NDArray[np.uint8]:
         """A view of the table for people, uint8 (height, width, 3)."""
-        self._show()
-        return picture(self._world.client, width, height, self.workspace.half_length)
+        self._stage.show(self._poses)
+        return picture(self._stage.client, width, height, self.workspace.half_length)
 
     def _meets(self, footprint: npt.NDArray[np.float64], depth: float) -> bool:
         centre = footprint.mean(axis=0)
@@ -179,15 +180,12 @@ class Scene:
         is_touching = self.touches(push)
         if not (is_touching or is_watched):
             return PushOutcome()
-        if not self._is_fresh:
-            self._world.build(self._poses)
-        self._is_shown = self._is_fresh = False
+        self._world.build(self._poses)
         num_push_steps = yield from self._move_pusher(push)
         num_settle_steps, is_settled = yield from self._settle(push)
         if not is_touching:
             return PushOutcome(num_steps=num_push_steps + num_settle_steps)
         before, self._poses = self._poses, self._checked_poses()
-        self._is_shown = True
         return PushOutcome(
             is_touching=True,
             is_settled=is_settled,
@@ -258,8 +256,3 @@ class Scene:
         if not all(math.isfinite(v) for pose in poses for v in (*pose.position, *pose.quaternion)):
             raise SimulationError("a block's pose is not finite; the scene is as before the push")
         return poses
-
-    def _show(self) -> None:
-        if not self._is_shown:
-            self._world.build(self._poses)
-            self._is_shown = self._is_fresh = True

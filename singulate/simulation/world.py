@@ -1,30 +1,16 @@
 """One Bullet world: a table, a pusher and the blocks of one scene."""
 
 import math
-from types import TracebackType
-from typing import Self
 
 import pybullet
 
 from singulate.geometry import BlockPose, Poses, Workspace
-from singulate.simulation.palette import BLOCK_COLOURS, PUSHER_COLOUR, TABLE_COLOUR
+from singulate.simulation.bodies import TABLE_THICKNESS, Vector3, add_solid_box
+from singulate.simulation.fallen import is_fallen, on_the_floor
 from singulate.simulation.physics import Physics
 
-TABLE_THICKNESS = 0.1
-FLOOR_Z = -0.75
-"""Height of the floor under the table [m]; a block that fell off lies there."""
-FALLEN_Z = -0.2
-"""A block whose centre is below this has left the table [m]."""
-
 _PARKED_Z = 50.0
-_NEVER_SLEEP = 4
-_IDENTITY = (0.0, 0.0, 0.0, 1.0)
 _ZERO = (0.0, 0.0, 0.0)
-
-
-def is_fallen(pose: BlockPose) -> bool:
-    """Whether a block has left the table."""
-    return pose.position[2] < FALLEN_Z
 
 
 class World:
@@ -43,17 +29,6 @@ class World:
         self._blocks: list[int | None] = []
         self._fallen: dict[int, BlockPose] = {}
         self._sides: list[float] = []
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.close()
 
     def close(self) -> None:
         """Disconnect from Bullet; further calls do nothing."""
@@ -77,7 +52,7 @@ class World:
         self._sides = [pose.side for pose in poses]
         self._fallen = {i: pose for i, pose in enumerate(poses) if is_fallen(pose)}
         self._blocks = [
-            None if i in self._fallen else self._add_block(i, pose) for i, pose in enumerate(poses)
+            None if i in self._fallen else self._add_block(pose) for i, pose in enumerate(poses)
         ]
 
     def place_pusher(self, x: float, y: float, yaw: float) -> None:
@@ -135,8 +110,7 @@ class World:
             if is_fallen(pose):
                 pybullet.removeBody(body, physicsClientId=self.client)
                 self._blocks[i] = None
-                x, y, _ = pose.position
-                self._fallen[i] = BlockPose((x, y, FLOOR_Z + pose.side / 2), _IDENTITY, pose.side)
+                self._fallen[i] = on_the_floor(pose)
 
     def _block_pose(self, body: int, side: float) -> BlockPose:
         position, quaternion = pybullet.getBasePositionAndOrientation(
@@ -144,7 +118,7 @@ class World:
         )
         return BlockPose(position, quaternion, side)
 
-    def _teleport_pusher(self, position: tuple[float, float, float], yaw: float) -> None:
+    def _teleport_pusher(self, position: Vector3, yaw: float) -> None:
         quaternion = (0.0, 0.0, math.sin(yaw / 2), math.cos(yaw / 2))
         pybullet.resetBasePositionAndOrientation(
             self._pusher, position, quaternion, physicsClientId=self.client
@@ -153,21 +127,24 @@ class World:
 
     def _add_table(self) -> None:
         half = self.workspace.half_length
-        body = self._add_box(
-            (half, half, TABLE_THICKNESS / 2), 0.0, (0.0, 0.0, -TABLE_THICKNESS / 2), TABLE_COLOUR
+        add_solid_box(
+            self.client,
+            (half, half, TABLE_THICKNESS / 2),
+            (0.0, 0.0, -TABLE_THICKNESS / 2),
+            mass=0.0,
+            friction=self.physics.table_friction,
         )
-        self._set_friction(body, self.physics.table_friction)
 
     def _add_pusher(self) -> int:
         physics = self.physics
         half = physics.pusher_side / 2
-        body = self._add_box(
+        body = add_solid_box(
+            self.client,
             (half, half, physics.pusher_height / 2),
-            physics.pusher_mass,
             (0.0, 0.0, _PARKED_Z),
-            PUSHER_COLOUR,
+            mass=physics.pusher_mass,
+            friction=physics.pusher_friction,
         )
-        self._set_friction(body, physics.pusher_friction)
         # Contacts must not turn the pusher: its inertia is as outsized as its mass.
         pybullet.changeDynamics(
             body,
@@ -178,52 +155,12 @@ class World:
         )
         return body
 
-    def _add_block(self, index: int, pose: BlockPose) -> int:
-        body = self._add_box(
+    def _add_block(self, pose: BlockPose) -> int:
+        return add_solid_box(
+            self.client,
             (pose.side / 2,) * 3,
-            self.physics.block_density * pose.side**3,
             pose.position,
-            BLOCK_COLOURS[index % len(BLOCK_COLOURS)],
             pose.quaternion,
-        )
-        self._set_friction(body, self.physics.block_friction)
-        return body
-
-    def _add_box(
-        self,
-        half_extents: tuple[float, ...],
-        mass: float,
-        position: tuple[float, float, float],
-        colour: tuple[float, float, float, float],
-        quaternion: tuple[float, float, float, float] = _IDENTITY,
-    ) -> int:
-        client = self.client
-        return int(
-            pybullet.createMultiBody(
-                mass,
-                pybullet.createCollisionShape(
-                    pybullet.GEOM_BOX, halfExtents=half_extents, physicsClientId=client
-                ),
-                pybullet.createVisualShape(
-                    pybullet.GEOM_BOX,
-                    halfExtents=half_extents,
-                    rgbaColor=colour,
-                    specularColor=(0.1, 0.1, 0.1),
-                    physicsClientId=client,
-                ),
-                basePosition=position,
-                baseOrientation=quaternion,
-                # Plain rigid bodies are four times faster than Bullet's multibodies here.
-                useMaximalCoordinates=True,
-                physicsClientId=client,
-            )
-        )
-
-    def _set_friction(self, body: int, friction: float) -> None:
-        pybullet.changeDynamics(
-            body,
-            -1,
-            lateralFriction=friction,
-            activationState=_NEVER_SLEEP,
-            physicsClientId=self.client,
+            mass=self.physics.block_density * pose.side**3,
+            friction=self.physics.block_friction,
         )
