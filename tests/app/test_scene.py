@@ -64,7 +64,9 @@ def test_the_pictures_show_the_scene_at_rest(bench):
 def test_a_push_moves_blocks_and_is_reported(bench):
     before = bench.snapshot.scene
     after = push_and_rest(bench, into_the_row())
-    moved = [math.dist(a.position, b.position) for a, b in zip(before.poses, after.poses)]
+    moved = [
+        math.dist(a.position, b.position) for a, b in zip(before.poses, after.poses, strict=True)
+    ]
     assert max(moved) > 0.05
     report = after.last_push
     assert report.push == into_the_row() and report.by == "you"
@@ -140,7 +142,7 @@ def test_pause_freezes_a_push_and_step_advances_it_by_one(bench):
     assert {s.scene.motion_count for s in bench.run(0.3)} == {frozen.motion_count}
     for count in (1, 2):
         bench.do(StepScene())
-        bench.until(lambda s: s.scene.motion_count == frozen.motion_count + count)
+        bench.until(lambda s, n=count: s.scene.motion_count == frozen.motion_count + n)
     assert bench.snapshot.scene.pusher[1] == pytest.approx(frozen.pusher[1] + 0.008, abs=1e-3)
     bench.do(SetSpeed(8.0), SetScenePaused(False))
     bench.until(lambda s: not s.scene.is_pushing)
