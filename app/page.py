@@ -12,12 +12,11 @@ from app.fields.drape import drape
 from app.fields.draped import DrapedField
 from app.fields.inline_image import png_bytes
 from app.keys import bind_keys
-from app.panels.checks import flag
 from app.panels.context import PanelContext
 from app.panels.fields import FieldsPanel
 from app.panels.help import HELP_TEXT
 from app.panels.interact import InteractPanel
-from app.panels.listening import listen
+from app.panels.marked_choice import add_switch
 from app.panels.notices import NoticesView
 from app.panels.run import RunPanel
 from app.panels.secondary import SecondaryButtons
@@ -25,6 +24,7 @@ from app.panels.starts import StartsPanel
 from app.panels.training import TrainingPanel
 from app.panels.watch import Throttle, Watch
 from app.preferences import Preferences
+from app.remembered import Remembered
 from app.snapshot import Snapshot
 from singulate.geometry import Direction, Workspace
 
@@ -56,11 +56,13 @@ class ClientPage:
         self._context = PanelContext(
             client.gui, submit, self.preferences, self._report, self._secondary
         )
-        self._apply_theme()
+        self._theme_watch = Watch()
         with client.atomic():
             self._add_left()
             self._add_right()
+        self._update_theme()
         self._bind_keys()
+        self._remembered = Remembered(client, self.preferences)
 
     def _add_left(self) -> None:
         gui = self._client.gui
@@ -69,8 +71,7 @@ class ClientPage:
         gui.main_panel.set_width(LEFT_WIDTH)
         self._notices = NoticesView(self._context)
         self._run = RunPanel(self._context)
-        dark = gui.add_checkbox("Dark theme", self.preferences.is_dark)
-        listen(dark, flag("dark"), self._set_dark, self._report)
+        self._theme = add_switch(gui, "Theme", self._set_light, ("light", "dark"))
 
     def _add_right(self) -> None:
         panel = self._client.gui.add_panel()
@@ -148,6 +149,8 @@ class ClientPage:
     def update(self, snapshot: Snapshot) -> None:
         """Show a snapshot; cheap where nothing changed."""
         now = time.monotonic()
+        self._remembered.update()
+        self._update_theme()
         self._notices.update(snapshot)
         self._run.update(snapshot)
         self._interact.update(snapshot)
@@ -174,12 +177,14 @@ class ClientPage:
         ):  # fmt: skip
             self._draped = drape(snapshot, choices, self._workspace)
 
-    def _set_dark(self, is_dark: bool) -> None:
-        self.preferences.is_dark = is_dark
-        self._secondary.paint(is_dark)
-        self._apply_theme()
+    def _set_light(self, is_light: bool) -> None:
+        self.preferences.is_dark = not is_light
 
-    def _apply_theme(self) -> None:
+    def _update_theme(self) -> None:
+        if not self._theme_watch.has_changed(self.preferences.is_dark):
+            return
+        self._theme.show(int(self.preferences.is_dark))
+        self._secondary.paint(self.preferences.is_dark)
         self._client.gui.configure_theme(
             dark_mode=self.preferences.is_dark,
             show_logo=False,

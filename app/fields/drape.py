@@ -1,6 +1,5 @@
 """From a snapshot and one person's choices to the picture on their table."""
 
-import warnings
 from collections.abc import Sequence
 
 import numpy as np
@@ -19,22 +18,25 @@ CRISP_SIZE = 320
 """Pixels of a draped picture: a multiple of the 10, 16, 32 and 64 cells that fields have."""
 
 
-def select_direction(stack: Values, choice: str, aimed: Direction) -> npt.NDArray[np.float32]:
+def select_direction(
+    stack: Values, choice: str, aimed: Direction, is_diverging: bool = False
+) -> npt.NDArray[np.float32]:
     """One map of four.
 
     Args:
         stack: (4, H, W).
         choice: One of `CHOICES`; ``best`` takes the largest value of every cell.
         aimed: The direction that ``as aimed`` stands for.
+        is_diverging: Let ``best`` take the value farthest from zero instead.
 
     Returns:
         float32 (H, W).
     """
     if choice == "best":
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", RuntimeWarning)  # a cell without any value stays nan
-            best = np.nanmax(stack.astype(np.float32), axis=0)
-        return np.asarray(best, dtype=np.float32)
+        values = np.asarray(stack, dtype=np.float32)
+        rank = np.abs(values) if is_diverging else values
+        winner = np.where(np.isnan(rank), -np.inf, rank).argmax(axis=0)
+        return np.asarray(np.take_along_axis(values, winner[None], axis=0)[0])
     index = aimed if choice == "as aimed" else Direction(CHOICES.index(choice) - 2)
     return np.asarray(stack[index], dtype=np.float32)
 
@@ -81,8 +83,10 @@ def drape(snapshot: Snapshot, preferences: Preferences, workspace: Workspace) ->
         return DrapedField(_crisp(image), kind.label, "")
     shown, label = values, kind.label
     if kind.is_directional:
-        shown = select_direction(values, preferences.choice, preferences.direction)
-        label = f"{kind.label}, {_choice_text(preferences)}"
+        shown = select_direction(
+            values, preferences.choice, preferences.direction, kind.colormap.is_diverging
+        )
+        label = f"{kind.label}, {_choice_text(kind, preferences)}"
     span = span_of(kind, shown, values, snapshot, preferences)
     image = field_image(shown, span, kind.colormap, preferences.opacity, kind.fades)
     legend = "" if kind.key == "mask" else legend_html(span, kind.colormap, kind.unit)
@@ -93,9 +97,9 @@ def _crisp(image: npt.NDArray[np.uint8]) -> npt.NDArray[np.uint8]:
     return nearest(image, CRISP_SIZE).astype(np.uint8, copy=False)
 
 
-def _choice_text(preferences: Preferences) -> str:
+def _choice_text(kind: FieldKind, preferences: Preferences) -> str:
     if preferences.choice == "best":
-        return "best direction"
+        return "largest error" if kind.colormap.is_diverging else "best direction"
     if preferences.choice == "as aimed":
         return preferences.direction.label
     return preferences.choice

@@ -2,8 +2,13 @@
 
 import math
 from collections.abc import Callable, Iterable
+from typing import TypeVar
 
 from singulate.exceptions import InvalidValueError
+
+T_co = TypeVar("T_co", covariant=True)
+Check = Callable[[object], T_co]
+"""Returns a value in its proper type or raises `InvalidValueError`."""
 
 
 def one_of(key: str, options: Iterable[str]) -> Callable[[object], str]:

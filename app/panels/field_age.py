@@ -26,4 +26,4 @@ def policy_line(snapshot: Snapshot) -> str:
 def _staleness(snapshot: Snapshot, source: RewardMapSnapshot | PolicySnapshot) -> str:
     if snapshot.scene is None or source.scene_version == snapshot.scene.version:
         return ""
-    return " (of an earlier table)"
+    return " · of an earlier table"

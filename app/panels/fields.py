@@ -1,18 +1,21 @@
 """Tab *Fields*: which field lies on the table, all directions side by side, inspection."""
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
+import viser
 
 from app.fields.catalogue import FIELD_KINDS, FIELDS_BY_KEY, FIELDS_BY_LABEL, FieldKind
 from app.fields.drape import span_of
 from app.fields.draped import DrapedField
 from app.fields.field_image import Span, field_image, picture_image, value_span
-from app.panels.checks import flag, number, one_of
+from app.panels.checks import number, one_of
 from app.panels.context import PanelContext
 from app.panels.field_age import policy_line, reward_map_line
 from app.panels.inspection import inspection_html
 from app.panels.listening import listen, show_value
+from app.panels.marked_choice import add_switch
 from app.panels.markup import block, dimmed, picture, show, title
 from app.panels.montage import montage_html
 from app.panels.watch import Throttle, Watch
@@ -39,11 +42,13 @@ class FieldsPanel:
         self._opacity = gui.add_slider("Opacity", 0.0, 1.0, 0.05, preferences.opacity)
         self._span = gui.add_dropdown("Colours span", SPANS, initial_value=preferences.span)
         self._legend = gui.add_html(block(dimmed("Nothing on the table.")))
-        self._inspects = gui.add_checkbox(
-            "Click inspects", preferences.click_inspects, hint="Instead of pushing"
+        self._inspects = add_switch(
+            gui, "A click", _keep(preferences, "click_inspects"), ("inspects", "pushes")
         )
         self._inspection = gui.add_html("", visible=False)
-        self._all = gui.add_checkbox("All directions", preferences.shows_all_directions)
+        self._all = add_switch(
+            gui, "All directions", _keep(preferences, "shows_all_directions"), ("show", "hide")
+        )
         self._reward = gui.add_html("")
         self._q = gui.add_html("")
         self._inputs = gui.add_html("")
@@ -60,8 +65,6 @@ class FieldsPanel:
         listen(self._choice, one_of("direction", CHOICES), _keep(preferences, "choice"), report)
         listen(self._opacity, number("opacity", 0.0, 1.0), _keep(preferences, "opacity"), report)
         listen(self._span, one_of("colours span", SPANS), _keep(preferences, "span"), report)
-        listen(self._inspects, flag("inspect"), _keep(preferences, "click_inspects"), report)
-        listen(self._all, flag("directions"), _keep(preferences, "shows_all_directions"), report)
 
     def turn_page(self, by: int) -> None:
         """Lay the next (1) or previous (-1) field over the table."""
@@ -72,16 +75,29 @@ class FieldsPanel:
     def update(self, snapshot: Snapshot, draped: DrapedField | None, now: float) -> None:
         """Show a snapshot; `draped` is what lies on this client's table."""
         preferences = self._context.preferences
-        if self._watches["form"].has_changed(preferences.field):
-            kind = FIELDS_BY_KEY[preferences.field]
-            show_value(self._field, kind.label)
-            self._choice.visible = kind.is_directional
+        self._update_form()
         show(self._legend, _legend_html(snapshot, preferences.field, draped))
         if not self._throttle.is_due(now):
             return
         self._update_inspection(snapshot)
         self._update_montages(snapshot)
         self._update_inputs(snapshot)
+
+    def _update_form(self) -> None:
+        preferences = self._context.preferences
+        kind = FIELDS_BY_KEY[preferences.field]
+        pairs: tuple[tuple[viser.GuiInputHandle[Any], object], ...] = (
+            (self._field, kind.label),
+            (self._choice, preferences.choice),
+            (self._span, preferences.span),
+            (self._opacity, preferences.opacity),
+        )
+        self._all.show(0 if preferences.shows_all_directions else 1)
+        self._inspects.show(0 if preferences.click_inspects else 1)
+        if self._watches["form"].has_changed(*(value for _, value in pairs)):
+            for handle, value in pairs:
+                show_value(handle, value)
+            self._choice.visible = kind.is_directional
 
     def _update_inspection(self, snapshot: Snapshot) -> None:
         truth, policy, scene = snapshot.reward_map, snapshot.policy, snapshot.scene
@@ -145,7 +161,7 @@ class FieldsPanel:
         show(self._inputs, block(title("What the agent sees, and where it starts"), html))
 
 
-def _keep(preferences: Preferences, name: str) -> Callable[[object], None]:
+def _keep(preferences: Preferences, name: str) -> Callable[[Any], None]:
     return lambda value: setattr(preferences, name, value)
 
 

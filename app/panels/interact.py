@@ -13,9 +13,10 @@ from app.commands import (
     StepScene,
     Undo,
 )
-from app.panels.checks import flag, number, one_of, whole_number
+from app.panels.checks import number, one_of, whole_number
 from app.panels.context import PanelContext
 from app.panels.listening import listen, on_pick, on_press, show_value
+from app.panels.marked_choice import MarkedChoice, add_switch
 from app.panels.markup import block, dimmed, escape, show
 from app.panels.push_report import PushReportView
 from app.panels.watch import Watch
@@ -35,7 +36,6 @@ class InteractPanel:
         self._scene: SceneSnapshot | None = None
         self._sources: dict[str, str] = {}
         self._scene_watch, self._policy_watch = Watch(), Watch()
-        self._direction_watch = Watch()
         self._state = context.gui.add_html(_scene_html(None))
         self._add_scene_controls()
         self._add_agent_controls()
@@ -47,23 +47,24 @@ class InteractPanel:
         self._scenario = gui.add_dropdown("Scenario", SCENARIOS, initial_value="random-2")
         self._seed = gui.add_number("Seed", 0, min=0, max=MAX_SEED, step=1)
         self._scene_buttons = gui.add_button_group("Table", ("Reset", "Next seed", "Undo"))
-        self._directions = gui.add_button_group("Push towards", OTHERS, hint="Keys 1 to 4")
+        self._directions = MarkedChoice(
+            gui, "Push towards", OTHERS, CHOSEN, self._choose_direction, hint="Keys 1 to 4"
+        )
         listen(self._scenario, one_of("scenario", SCENARIOS),
                lambda _: self.reset(), context.report)  # fmt: skip
         listen(self._seed, whole_number("seed", 0, MAX_SEED),
                lambda _: self.reset(), context.report)  # fmt: skip
         on_pick(self._scene_buttons, self._press_scene_button)
-        on_pick(self._directions, self._choose_direction)
 
     def _add_agent_controls(self) -> None:
         gui, context = self._context.gui, self._context
         self._policy = gui.add_dropdown("Agent", (NO_POLICY,))
         self._agent_push = gui.add_button("Agent pushes", icon=viser.Icon.ROBOT)
-        self._watching = gui.add_checkbox("Watch it play", False)
+        self._watching = add_switch(
+            gui, "Watch it play", lambda is_on: context.submit(SetWatching(is_on))
+        )
         listen(self._policy, lambda value: one_of("agent", self._policy.options)(value),
                self._load_policy, context.report)  # fmt: skip
-        listen(self._watching, flag("watch"),
-               lambda value: context.submit(SetWatching(value)), context.report)  # fmt: skip
         on_press(self._agent_push, lambda: context.submit(AgentPush()))
 
     def _add_motion_controls(self) -> None:
@@ -115,11 +116,7 @@ class InteractPanel:
     def update(self, snapshot: Snapshot) -> None:
         """Show a snapshot."""
         self._scene = scene = snapshot.scene
-        direction = self._context.preferences.direction
-        if self._direction_watch.has_changed(direction):
-            self._directions.options = tuple(
-                CHOSEN[d] if d == direction else OTHERS[d] for d in Direction
-            )
+        self._directions.show(self._context.preferences.direction)
         self._update_policies(snapshot)
         show(self._state, _scene_html(scene))
         if scene is not None and self._scene_watch.has_changed(
@@ -129,7 +126,7 @@ class InteractPanel:
                 show_value(self._scenario, scene.scenario)
             show_value(self._seed, scene.seed)
             show_value(self._speed, min(max(scene.speed, MIN_SPEED), MAX_SPEED))
-            show_value(self._watching, scene.is_watching)
+            self._watching.show(0 if scene.is_watching else 1)
             self._motion.options = ("Go on" if scene.is_paused else "Pause", "One step")
         self._report.update(None if scene is None else scene.last_push)
 
@@ -144,7 +141,7 @@ class InteractPanel:
         self._policy.options = options
         show_value(self._policy, current)
         self._agent_push.disabled = policy is None
-        self._watching.disabled = policy is None
+        self._watching.handle.disabled = policy is None
 
 
 def _scene_html(scene: SceneSnapshot | None) -> str:

@@ -6,10 +6,10 @@ from typing import Any, TypeVar
 import viser
 from viser._gui_handles import GuiProgressBarHandle
 
+from app.panels.checks import Check
 from singulate.exceptions import InvalidValueError
 
 T = TypeVar("T")
-Check = Callable[[object], T]
 Report = Callable[[str], None]
 
 

@@ -9,9 +9,10 @@ from app.fields.colormaps import SEQUENTIAL
 from app.fields.field_image import field_image, value_span
 from app.fields.histogram import start_histogram, starts_between
 from app.fields.legend import legend_html
-from app.panels.checks import flag, one_of, whole_number
+from app.panels.checks import one_of, whole_number
 from app.panels.context import PanelContext
 from app.panels.listening import listen, show_value
+from app.panels.marked_choice import add_switch
 from app.panels.markup import block, dimmed, picture, show, title
 from app.panels.watch import Throttle, Watch
 from app.snapshot import RunSnapshot, Snapshot
@@ -31,13 +32,12 @@ class StartsPanel:
         self._watch, self._strip_watch, self._range_watch = Watch(), Watch(), Watch()
         gui, preferences = context.gui, context.preferences
         self._picture = gui.add_html(_empty_html())
-        self._follow = gui.add_checkbox("Follow the run", True)
+        self._follow = add_switch(gui, "Follow the run", self._set_follow)
         self._end = gui.add_slider("Window end", 1, 2, 1, 2, visible=False)
         self._size = gui.add_dropdown(
             "Window", WINDOW_SIZES, hint="Pushes", initial_value=str(preferences.window_size)
         )
         self._strip = gui.add_html("")
-        listen(self._follow, flag("follow"), self._set_follow, context.report)
         listen(self._end, lambda value: whole_number("window end", 1, int(self._end.max))(value),
                self._set_end, context.report)  # fmt: skip
         listen(self._size, one_of("window", WINDOW_SIZES), self._set_size, context.report)
@@ -47,7 +47,6 @@ class StartsPanel:
 
     def _set_end(self, value: int) -> None:
         self._context.preferences.window_end = value
-        show_value(self._follow, False)
 
     def _set_size(self, value: str) -> None:
         self._context.preferences.window_size = int(value)
@@ -56,6 +55,7 @@ class StartsPanel:
         """Show a snapshot."""
         if not self._throttle.is_due(now):
             return
+        self._follow.show(0 if self._context.preferences.window_end is None else 1)
         window = window_of(snapshot, self._context.preferences)
         run = snapshot.run
         if run is None or window is None:
