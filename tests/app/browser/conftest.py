@@ -1,0 +1,242 @@
+"""The real dashboard in a process of its own, looked at through headless Chromium."""
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Page, sync_playwright
+
+ROOT = Path(__file__).resolve().parents[3]
+ARTIFACTS = ROOT / "test-artifacts"
+SIZE = {"width": 1280, "height": 720}
+
+CHROMIUM_NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+FLAGS = [
+    "--headless=new",
+    "--enable-unsafe-swiftshader",
+    "--disable-dev-shm-usage",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-default-apps",
+    "--disable-sync",
+    "--no-first-run",
+]
+
+VISERS_OWN_ERROR = "Unable to preventDefault inside passive event listener invocation."
+"""viser 1.1.1 logs this whenever a node that can be dragged is pressed."""
+
+PROJECT = """([x, y, z]) => {
+    const m = window.__viserMutable, box = m.canvas.getBoundingClientRect();
+    m.camera.updateMatrixWorld();
+    const p = m.camera.position.clone().set(x, y, z);
+    p.applyMatrix4(m.nodeRefFromName["/table/top"].parent.matrixWorld).project(m.camera);
+    return [box.left + (p.x + 1) / 2 * box.width, box.top + (1 - p.y) / 2 * box.height];
+}"""
+
+NODE = """(name) => {
+    const node = window.__viserMutable?.nodeRefFromName?.[name];
+    return node && {
+        position: node.position.toArray(),
+        quaternion: node.quaternion.toArray(),
+        visible: node.visible,
+    };
+}"""
+
+RECORD_PUSHER = """() => {
+    const track = window.__track = [];
+    const look = () => {
+        const pusher = window.__viserMutable?.nodeRefFromName?.["/pusher"];
+        if (pusher?.visible) track.push(pusher.position.toArray());
+        requestAnimationFrame(look);
+    };
+    look();
+}"""
+
+IS_STEADY = """() => {
+    const m = window.__viserMutable;
+    if (!m?.nodeRefFromName?.["/blocks/0"]?.visible) return false;
+    const now = JSON.stringify([m.camera.position.toArray(), m.camera.aspect]);
+    const before = window.__before;
+    window.__before = now;
+    return now === before && m.camera.fov < 40;
+}"""
+
+
+class LabPage:
+    """One browser window on the laboratory, in the words of the person who uses it."""
+
+    def __init__(self, context: BrowserContext, url: str) -> None:
+        self.page: Page = context.new_page()
+        self.url = url
+        self.errors: list[str] = []
+        self.page.on("console", self._note)
+        self.page.on("pageerror", lambda error: self.errors.append(str(error)))
+        self.page.on("response", self._note_failure)
+
+    def open(self) -> "LabPage":
+        self.page.goto(self.url)
+        self.wait_ready()
+        return self
+
+    def reload(self) -> None:
+        self.page.reload()
+        self.wait_ready()
+
+    def wait_ready(self) -> None:
+        """Until the blocks are there, the camera has come to rest and the toast is gone."""
+        self.page.wait_for_function(IS_STEADY, timeout=60_000, polling=300)
+        toast = self.page.locator(".mantine-Notification-closeButton")
+        for _ in range(toast.count()):
+            toast.first.click()
+
+    def node(self, name: str) -> dict[str, Any] | None:
+        found: dict[str, Any] | None = self.page.evaluate(NODE, name)
+        return found
+
+    def position(self, name: str) -> tuple[float, float, float]:
+        node = self.node(name)
+        assert node is not None, f"there is no {name}"
+        x, y, z = node["position"]
+        return x, y, z
+
+    def on_screen(self, x: float, y: float, z: float = 0.0) -> tuple[float, float]:
+        px, py = self.page.evaluate(PROJECT, [x, y, z])
+        return px, py
+
+    def click_table(self, x: float, y: float) -> None:
+        self.page.mouse.click(*self.on_screen(x, y))
+
+    def drag_table(self, start: tuple[float, float], end: tuple[float, float]) -> None:
+        mouse = self.page.mouse
+        mouse.move(*self.on_screen(*start))
+        mouse.down()
+        mouse.move(*self.on_screen((start[0] + end[0]) / 2, (start[1] + end[1]) / 2), steps=4)
+        mouse.move(*self.on_screen(*end), steps=4)
+        self.page.wait_for_timeout(200)
+        mouse.up()
+
+    def record_pusher(self) -> None:
+        """From now on, keep the places at which the pusher is drawn."""
+        self.page.evaluate(RECORD_PUSHER)
+
+    @property
+    def track(self) -> list[list[float]]:
+        places: list[list[float]] = self.page.evaluate("() => window.__track")
+        return places
+
+    def wait(self, is_true: Callable[[], object], timeout_s: float = 30.0) -> None:
+        deadline = time.monotonic() + timeout_s
+        while not is_true():
+            assert time.monotonic() < deadline, f"did not happen; the page says: {self.text}"
+            self.page.wait_for_timeout(50)
+
+    def wait_for_text(self, text: str, timeout_s: float = 30.0) -> None:
+        self.wait(lambda: text in self.text, timeout_s)
+
+    @property
+    def text(self) -> str:
+        return self.page.inner_text("body")
+
+    def press(self, key: str) -> None:
+        """Press a key with the table in focus, as after a click on it."""
+        self.page.evaluate("() => document.activeElement?.blur()")
+        self.page.keyboard.press(key)
+
+    def button(self, name: str) -> Any:
+        return self.page.get_by_role("button", name=name, exact=True).first
+
+    def tab(self, name: str) -> None:
+        self.page.get_by_role("tab", name=name, exact=True).first.click()
+
+    def picture(self, name: str) -> bytes:
+        ARTIFACTS.mkdir(exist_ok=True)
+        return self.page.screenshot(path=ARTIFACTS / f"{name}.png", timeout=60_000)
+
+    def _note(self, message: ConsoleMessage) -> None:
+        if message.type == "error" and message.text != VISERS_OWN_ERROR:
+            self.errors.append(message.text)
+
+    def _note_failure(self, response: Any) -> None:
+        if response.status >= 400:
+            self.errors.append(f"{response.status} {response.url}")
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Browser]:
+    path = next(filter(None, map(shutil.which, CHROMIUM_NAMES)), None)
+    flags = [*FLAGS, "--no-sandbox"] if os.geteuid() == 0 else FLAGS
+    with sync_playwright() as playwright:
+        chromium = playwright.chromium.launch(executable_path=path, args=flags)
+        yield chromium
+        chromium.close()
+
+
+@pytest.fixture(scope="session")
+def app_process(tmp_path_factory: pytest.TempPathFactory) -> Iterator[subprocess.Popen[str]]:
+    log = (tmp_path_factory.mktemp("app") / "stderr.txt").open("w+")
+    process = subprocess.Popen(
+        [sys.executable, "-m", "app", "--port", "0", "--scenario", "random-2", "--seed", "0"],
+        cwd=ROOT,
+        env=os.environ | {"SINGULATE_RUNS": str(tmp_path_factory.mktemp("runs"))},
+        stdout=subprocess.PIPE,
+        stderr=log,
+        text=True,
+    )
+    assert process.stdout is not None
+    yield process
+    process.send_signal(signal.SIGINT)
+    try:
+        status = process.wait(timeout=30)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        raise
+    finally:
+        log.seek(0)
+        print(log.read())
+        log.close()
+        process.stdout.close()
+    assert status == 0
+
+
+@pytest.fixture(scope="session")
+def app_url(app_process: subprocess.Popen[str]) -> str:
+    assert app_process.stdout is not None
+    line = app_process.stdout.readline()
+    assert line.startswith("singulate: open http://127.0.0.1:"), line
+    return line.split()[-1]
+
+
+@pytest.fixture(scope="session")
+def open_page(browser: Browser, app_url: str) -> Iterator[Callable[[], LabPage]]:
+    """Opens windows of separate visitors."""
+    contexts: list[BrowserContext] = []
+
+    def open_one() -> LabPage:
+        contexts.append(browser.new_context(viewport=SIZE))  # type: ignore[arg-type]
+        return LabPage(contexts[-1], app_url).open()
+
+    yield open_one
+    for context in contexts:
+        context.close()
+
+
+@pytest.fixture(scope="session")
+def shared_page(open_page: Callable[[], LabPage]) -> LabPage:
+    return open_page()
+
+
+@pytest.fixture
+def page(shared_page: LabPage) -> Iterator[LabPage]:
+    """The first visitor's window with the first scene at rest; it must stay free of errors."""
+    shared_page.wait(lambda: not (shared_page.node("/pusher") or {}).get("visible"))
+    shared_page.press("r")
+    shared_page.press("1")
+    yield shared_page
+    assert shared_page.errors == []
