@@ -8,6 +8,8 @@ from singulate.simulation.fallen import is_fallen
 from singulate.simulation.palette import BLOCK_COLOURS, TABLE_COLOUR
 
 _OUT_OF_SIGHT = (0.0, 0.0, 100.0)
+_MAX_REPLACED = 500
+"""Bullet frees what belonged to a replaced block (4 KB) only when the whole stage is cleared."""
 
 
 class Stage:
@@ -20,16 +22,11 @@ class Stage:
 
     def __init__(self, workspace: Workspace) -> None:
         self.client = pybullet.connect(pybullet.DIRECT)
-        half = workspace.half_length
-        add_visible_box(
-            self.client,
-            (half, half, TABLE_THICKNESS / 2),
-            (0.0, 0.0, -TABLE_THICKNESS / 2),
-            UPRIGHT,
-            TABLE_COLOUR,
-        )
+        self._half_length = workspace.half_length
         self._pool: list[tuple[int, float]] = []
         """Body and side of each block, in the order of the blocks."""
+        self._num_replaced = 0
+        self._clear()
 
     def close(self) -> None:
         """Disconnect from Bullet; further calls do nothing."""
@@ -39,6 +36,8 @@ class Stage:
 
     def show(self, poses: Poses) -> None:
         """Put the blocks where they stand; those that have fallen off are out of sight."""
+        if self._num_replaced > _MAX_REPLACED:
+            self._clear()
         for i, pose in enumerate(poses):
             position = _OUT_OF_SIGHT if is_fallen(pose) else pose.position
             pybullet.resetBasePositionAndOrientation(
@@ -55,7 +54,21 @@ class Stage:
             if pooled_side == side:
                 return body
             pybullet.removeBody(body, physicsClientId=self.client)
+            self._num_replaced += 1
         colour = BLOCK_COLOURS[index % len(BLOCK_COLOURS)]
         body = add_visible_box(self.client, (side / 2,) * 3, _OUT_OF_SIGHT, UPRIGHT, colour)
         self._pool[index : index + 1] = [(body, side)]
         return body
+
+    def _clear(self) -> None:
+        pybullet.resetSimulation(physicsClientId=self.client)
+        self._pool.clear()
+        self._num_replaced = 0
+        half = self._half_length
+        add_visible_box(
+            self.client,
+            (half, half, TABLE_THICKNESS / 2),
+            (0.0, 0.0, -TABLE_THICKNESS / 2),
+            UPRIGHT,
+            TABLE_COLOUR,
+        )
