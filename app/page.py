@@ -51,6 +51,7 @@ class ClientPage:
         self.preferences = Preferences()
         self._workspace = Workspace()
         self._draped: DrapedField | None = None
+        self._help: viser.GuiModalHandle | None = None
         self._drape_watch, self._drape_throttle = Watch(), Throttle(DRAPE_INTERVAL)
         self._secondary = SecondaryButtons(client.gui, self.preferences.is_dark)
         self._context = PanelContext(
@@ -201,8 +202,11 @@ class ClientPage:
         self._client.send_file_download("singulate.png", png_bytes(image), save_immediately=True)
 
     def _show_help(self) -> None:
-        modal = self._client.gui.add_modal("Keys")
+        if self._help is not None and not self._help.closed:
+            self._help.close()
+            return
+        self._help = modal = self._client.gui.add_modal("Keys")
         with modal:
             self._client.gui.add_markdown(HELP_TEXT)
-            close = self._secondary.add("Close")
+            close = self._client.gui.add_button("Close")
         close.on_click(lambda _: modal.close())

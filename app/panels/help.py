@@ -17,7 +17,9 @@ KEYS = (
 HELP_TEXT = (
     "**Click** the table to push from there in the chosen direction, or **drag** an arrow. "
     "Drag beside the table to turn the view; W A S D Q E and the arrow keys move it.\n\n"
-    "| Key | |\n|---|---|\n" + "\n".join(f"| **{key}** | {text} |" for key, text in KEYS) + "\n\n"
+    "| Key | What it does |\n|---|---|\n"
+    + "\n".join(f"| **{key}** | {text} |" for key, text in KEYS)
+    + "\n\n"
     "Ctrl + K lists all commands. Everyone who opens this page sees the same table; fields, "
     "tabs and theme are your own."
 )
