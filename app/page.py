@@ -5,6 +5,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import viser
+from viser._gui_handles import GuiModalHandle
 
 from app.commands import AgentPush, Command, Undo
 from app.fields.catalogue import FIELDS_BY_KEY
@@ -51,7 +52,7 @@ class ClientPage:
         self.preferences = Preferences()
         self._workspace = Workspace()
         self._draped: DrapedField | None = None
-        self._help: viser.GuiModalHandle | None = None
+        self._help: GuiModalHandle | None = None
         self._drape_watch, self._drape_throttle = Watch(), Throttle(DRAPE_INTERVAL)
         self._secondary = SecondaryButtons(client.gui, self.preferences.is_dark)
         self._context = PanelContext(
