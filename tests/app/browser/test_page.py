@@ -91,9 +91,9 @@ def test_the_field_is_the_right_way_up(page: Any) -> None:
 
 
 def test_dark_and_light_are_both_drawn(page: Any) -> None:
-    page.page.get_by_text("Dark theme", exact=True).first.click()
+    page.page.get_by_role("button", name="dark").first.click()
     page.wait(lambda: pixels(page.picture("dark")).mean() < 110)
-    page.page.get_by_text("Dark theme", exact=True).first.click()
+    page.page.get_by_role("button", name="light").first.click()
     page.wait(lambda: pixels(page.picture("light")).mean() > 140)
 
 
