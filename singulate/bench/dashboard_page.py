@@ -1,0 +1,159 @@
+"""The real page in headless Chromium: clicks on the table, and when the pusher answers."""
+
+import shutil
+import stat
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from singulate.exceptions import SingulateError
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Page
+
+VIEWPORT = (1280, 720)
+_BROWSERS = ("chromium", "chromium-browser", "google-chrome")
+_ARGUMENTS = (
+    "--headless=new",
+    "--enable-unsafe-swiftshader",
+    "--disable-dev-shm-usage",
+    "--no-sandbox",
+)
+_TIMEOUT_MS = 60_000
+
+_IS_READY = """() => {
+    const nodes = window.__viserMutable?.nodeRefFromName;
+    return nodes?.["/pusher"] && nodes["/table/top"] && nodes["/blocks/0"];
+}"""
+
+_WATCH = """() => {
+    const times = (window.__clickTimes = {pressed: NaN, arrived: NaN, drawn: NaN});
+    addEventListener("pointerdown", (event) => {
+        Object.assign(times, {pressed: event.timeStamp, arrived: NaN, drawn: NaN});
+    }, true);
+    const queue = window.__viserMutable.messageQueue;
+    const push = queue.push;
+    queue.push = function (...messages) {
+        const isMotion = (m) => m.name === "/pusher" && m.type === "SetPositionMessage";
+        if (isNaN(times.arrived) && messages.some(isMotion)) {
+            times.arrived = performance.now();
+            requestAnimationFrame(() => requestAnimationFrame(() => {
+                times.drawn = performance.now();
+            }));
+        }
+        return push.apply(this, messages);
+    };
+}"""
+
+_PROJECT = """([x, y]) => {
+    const {camera, canvas, nodeRefFromName} = window.__viserMutable;
+    const apply = (e, v) => [0, 1, 2, 3].map(
+        (i) => e[i] * v[0] + e[4 + i] * v[1] + e[8 + i] * v[2] + e[12 + i] * v[3]);
+    const world = apply(nodeRefFromName[""].matrixWorld.elements, [x, y, 0, 1]);
+    const eye = apply(camera.matrixWorldInverse.elements, world);
+    const clip = apply(camera.projectionMatrix.elements, eye);
+    const box = canvas.getBoundingClientRect();
+    return [box.x + (clip[0] / clip[3] + 1) / 2 * box.width,
+            box.y + (1 - clip[1] / clip[3]) / 2 * box.height];
+}"""
+
+_IS_AT_REST = """() => window.__viserMutable.nodeRefFromName["/pusher"].visible === false"""
+
+_HAS_MOVED = "() => !isNaN(window.__clickTimes.drawn)"
+
+_FRAMES = """(seconds) => new Promise((resolve) => {
+    const begin = performance.now();
+    let frames = 0;
+    const count = () => {
+        const passed = (performance.now() - begin) / 1000;
+        if (passed >= seconds) resolve(frames / passed);
+        else { frames += 1; requestAnimationFrame(count); }
+    };
+    requestAnimationFrame(count);
+})"""
+
+
+class ClickTimes(NamedTuple):
+    """Seconds from the press of the mouse button, in the browser's own clock.
+
+    Attributes:
+        motion: Until the pusher's motion has arrived in the page.
+        picture: Until it has been drawn.
+    """
+
+    motion: float
+    picture: float
+
+
+@contextmanager
+def open_page(url: str, directory: Path, niceness: int = 0) -> Iterator["DashboardPage"]:
+    """Open the dashboard in a browser of its own and wait until the table is there.
+
+    Args:
+        url: Where the dashboard listens.
+        directory: For a small file that starts the browser.
+        niceness: How far the browser stands back; 19 comes close to a browser elsewhere.
+
+    Raises:
+        SingulateError: If playwright or a browser is missing, or the page does not answer.
+    """
+    try:
+        from playwright.sync_api import Error, sync_playwright
+    except ImportError:
+        raise SingulateError(
+            "bench dashboard needs playwright: pip install 'singulate[test]'"
+        ) from None
+    width, height = VIEWPORT
+    try:
+        with sync_playwright() as playwright:
+            browser = playwright.chromium.launch(
+                executable_path=_nice_browser(directory, niceness), args=list(_ARGUMENTS)
+            )
+            page = browser.new_page(viewport={"width": width, "height": height})
+            page.goto(url)
+            page.wait_for_function(_IS_READY, timeout=_TIMEOUT_MS)
+            page.evaluate(_WATCH)
+            yield DashboardPage(page)
+            browser.close()
+    except Error as error:
+        raise SingulateError(f"the page does not answer: {str(error).splitlines()[0]}") from error
+
+
+class DashboardPage:
+    """A browser with the dashboard open; see `open_page`."""
+
+    def __init__(self, page: "Page") -> None:
+        self._page = page
+
+    def click(self, x: float, y: float) -> ClickTimes:
+        """Click on the table once it is at rest and wait until the pusher has been seen moving.
+
+        Args:
+            x: Where, from left to right [m].
+            y: Where, from below to above [m].
+        """
+        page = self._page
+        page.wait_for_function(_IS_AT_REST, timeout=_TIMEOUT_MS)
+        page.mouse.click(*page.evaluate(_PROJECT, [x, y]))
+        page.wait_for_function(_HAS_MOVED, timeout=_TIMEOUT_MS)
+        times = page.evaluate("() => window.__clickTimes")
+        pressed = times["pressed"]
+        return ClickTimes(
+            (times["arrived"] - pressed) / 1e3,
+            (times["drawn"] - pressed) / 1e3,
+        )
+
+    def frames_per_second(self, seconds: float) -> float:
+        """Frames that the browser draws a second."""
+        return float(self._page.evaluate(_FRAMES, seconds))
+
+
+def _nice_browser(directory: Path, niceness: int) -> Path:
+    executable = next(filter(None, map(shutil.which, _BROWSERS)), None)
+    if executable is None:
+        raise SingulateError(f"bench dashboard needs a browser: one of {', '.join(_BROWSERS)}")
+    launcher = directory / f"browser-{niceness}"
+    launcher.write_text(f'#!/bin/sh\nexec nice -n {niceness} "{executable}" "$@"\n')
+    launcher.chmod(launcher.stat().st_mode | stat.S_IXUSR)
+    return launcher

@@ -1,0 +1,36 @@
+from pathlib import Path
+
+import pytest
+
+from singulate.bench.dashboard_page import open_page
+from singulate.bench.dashboard_process import pushes_per_second, running_dashboard, running_trainer
+from singulate.exceptions import SingulateError
+
+
+@pytest.mark.browser
+def test_a_page_that_is_not_there_is_one_clear_line(tmp_path: Path) -> None:
+    with (
+        pytest.raises(SingulateError, match="does not answer") as caught,
+        open_page("http://127.0.0.1:9/", tmp_path),
+    ):
+        pass
+    assert "\n" not in str(caught.value)
+
+
+def test_speed_is_read_from_a_real_training(tmp_path: Path) -> None:
+    run_dir = tmp_path / "run"
+    with running_trainer(run_dir):
+        assert pushes_per_second(run_dir, seconds=0.1) > 1.0
+    with pytest.raises(SingulateError, match="trainer"):
+        pushes_per_second(run_dir, seconds=0.1)
+
+
+@pytest.mark.browser
+def test_a_click_on_the_real_page_is_timed(tmp_path: Path) -> None:
+    run_dir = tmp_path / "empty"
+    run_dir.mkdir()
+    with running_dashboard(run_dir) as url, open_page(url, tmp_path, niceness=1) as page:
+        clicks = [page.click(-0.8, -0.7), page.click(0.8, -0.7)]
+        assert page.frames_per_second(0.5) > 0.0
+    for click in clicks:
+        assert 0.0 < click.motion < click.picture < 30.0
