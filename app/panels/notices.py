@@ -17,7 +17,7 @@ class NoticesView:
         self._context = context
         self._watch = Watch()
         self._notices: tuple[Notice, ...] = ()
-        self._html = context.gui.add_html("", visible=False)
+        self.html = context.gui.add_html("", visible=False)
         self._dismiss = context.secondary.add("Dismiss", visible=False)
         on_press(self._dismiss, self._dismiss_all)
 
@@ -30,8 +30,8 @@ class NoticesView:
         if not self._watch.has_changed(snapshot.notices):
             return
         self._notices = snapshot.notices
-        show(self._html, notices_html(snapshot.notices))
-        self._html.visible = self._dismiss.visible = bool(snapshot.notices)
+        show(self.html, notices_html(snapshot.notices))
+        self.html.visible = self._dismiss.visible = bool(snapshot.notices)
 
 
 def notices_html(notices: tuple[Notice, ...]) -> str:

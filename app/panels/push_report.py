@@ -27,13 +27,13 @@ class PushReportView:
 
     def __init__(self, gui: viser.GuiApi) -> None:
         self._watch = Watch()
-        self._html = gui.add_html(push_report_html(None))
+        self.html = gui.add_html(push_report_html(None))
 
     def update(self, report: PushReport | None) -> None:
         """Show the last push, if it is another one."""
         parts = (None,) if report is None else (report.label_images[1], report.push, report.reward)
         if self._watch.has_changed(*parts):
-            show(self._html, push_report_html(report))
+            show(self.html, push_report_html(report))
 
 
 def push_report_html(report: PushReport | None) -> str:
