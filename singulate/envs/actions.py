@@ -27,6 +27,10 @@ class ActionEncoding(Protocol):
         """
         ...
 
+    def encode(self, push: Push) -> Any:
+        """The action that comes closest to a push; the inverse of `decode` where there is one."""
+        ...
+
 
 class GridActions:
     """Discrete(400): direction * 100 + row * 10 + column, from a 10 x 10 grid of cell centres.
@@ -49,7 +53,7 @@ class GridActions:
         return Push.cardinal(start, Direction(direction), self._workspace.push_length)
 
     def encode(self, push: Push) -> int:
-        """The action whose cell and direction come closest to a push."""
+        """See `ActionEncoding.encode`."""
         row, col = self._workspace.xy_to_row_col(*push.start, self.resolution)
         return int(push.nearest_direction) * self.resolution**2 + row * self.resolution + col
 
@@ -71,6 +75,12 @@ class PointActions:
         half = self._workspace.half_length
         return Push.cardinal((x * half, y * half), direction, self._workspace.push_length)
 
+    def encode(self, push: Push) -> npt.NDArray[np.float32]:
+        """See `ActionEncoding.encode`."""
+        half = self._workspace.half_length
+        c = (push.nearest_direction + 0.5) / 2.0 - 1.0
+        return _to_box([push.start[0] / half, push.start[1] / half, c])
+
 
 class StartEndActions:
     """Box(-1, 1, (4,)): start and end of the push, each divided by l.
@@ -87,6 +97,10 @@ class StartEndActions:
         half = self._workspace.half_length
         x0, y0, x1, y1 = (half * value for value in _vector(action, 4))
         return Push.between((x0, y0), (x1, y1))
+
+    def encode(self, push: Push) -> npt.NDArray[np.float32]:
+        """See `ActionEncoding.encode`."""
+        return _to_box([value / self._workspace.half_length for value in (*push.start, *push.end)])
 
 
 ACTION_ENCODINGS: dict[str, Callable[[Workspace], ActionEncoding]] = {
@@ -115,6 +129,10 @@ def _integer(action: Any, count: int) -> int:
     if not 0 <= index < count:
         raise InvalidValueError("action", index, f"0 to {count - 1}")
     return index
+
+
+def _to_box(values: list[float]) -> npt.NDArray[np.float32]:
+    return np.clip(np.array(values, dtype=np.float32), -1.0, 1.0)
 
 
 def _vector(action: Any, size: int) -> list[float]:

@@ -127,6 +127,10 @@ class PushEnv(gymnasium.Env[Any, Any]):
         reward = self._reward.total(result.terms, reward_index)
         return self._observation.observe(result.after), reward, terminated, truncated, info
 
+    def encode(self, push: Push) -> Any:
+        """The action that comes closest to a push, such as one that a policy chose."""
+        return self._actions.encode(push)
+
     def render(self) -> npt.NDArray[np.uint8] | None:
         """A picture of the table, uint8 (360, 480, 3), where `render_mode` is ``rgb_array``."""
         return self.task.scene.picture() if self.render_mode == "rgb_array" else None

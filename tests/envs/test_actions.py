@@ -47,6 +47,20 @@ def test_four_equal_bins_of_c_pick_the_direction(c, direction):
     assert push == Push.cardinal((0.25, -0.5), direction, 0.5)
 
 
+def test_a_push_survives_encoding_and_decoding():
+    push = Push.cardinal((0.25, -0.5), Direction.LEFT, 0.5)
+    for encoding in (PointActions(WORKSPACE), StartEndActions(WORKSPACE)):
+        again = encoding.decode(encoding.encode(push))
+        assert again.start == pytest.approx(push.start)
+        assert again.direction == pytest.approx(push.direction)
+        assert again.length == pytest.approx(push.length)
+
+
+def test_a_push_over_the_border_is_encoded_up_to_the_border():
+    push = Push.cardinal((0.0, 0.75), Direction.UP, 0.5)
+    assert StartEndActions(WORKSPACE).encode(push).tolist() == [0.0, 0.75, 0.0, 1.0]
+
+
 def test_start_and_end_give_direction_and_length():
     push = StartEndActions(Workspace(half_length=2.0)).decode(np.array([0.0, 0.0, 0.3, 0.4]))
     assert push.start == (0.0, 0.0)
