@@ -94,7 +94,7 @@ def model_metrics(model: BaseAlgorithm) -> dict[str, float]:
     if "train/entropy_loss" in values:
         values["train/entropy"] = -values["train/entropy_loss"]
     if isinstance(model, OnPolicyAlgorithm) and hasattr(model.policy, "log_std"):
-        values["train/std"] = float(model.policy.log_std.exp().mean())
+        values["train/std"] = float(model.policy.log_std.detach().exp().mean())
     return values
 
 

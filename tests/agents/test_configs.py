@@ -1,0 +1,55 @@
+import math
+
+import pytest
+
+from singulate.agents.dqn.config import DQNConfig
+from singulate.agents.ppo.config import PPOConfig
+from singulate.agents.registry import AGENTS, agent_kind
+from singulate.exceptions import InvalidValueError
+
+
+def test_ppo_defaults_are_table_1() -> None:
+    config = PPOConfig()
+    assert (config.learning_rate, config.batch_size, config.n_steps, config.n_epochs) == (
+        5e-4, 4, 2048, 3,
+    )  # fmt: skip
+
+
+def test_both_agents_have_the_papers_network() -> None:
+    assert DQNConfig().net_arch == PPOConfig().net_arch == (128, 64, 64, 32, 16)
+
+
+@pytest.mark.parametrize("name", AGENTS)
+def test_settings_survive_json_like_values(name: str) -> None:
+    config = agent_kind(name).make_config({"net_arch": [8, 4], "gamma": 0.5})
+    assert config.net_arch == (8, 4)
+    assert config.gamma == 0.5
+
+
+@pytest.mark.parametrize(
+    ("name", "key", "value"),
+    [
+        ("dqn", "learning_rate", 0.0),
+        ("dqn", "learning_rate", math.nan),
+        ("dqn", "learning_rate", "fast"),
+        ("dqn", "batch_size", 2.5),
+        ("dqn", "batch_size", True),
+        ("dqn", "net_arch", []),
+        ("dqn", "net_arch", [0]),
+        ("dqn", "net_arch", "128"),
+        ("dqn", "symmetries", 1),
+        ("dqn", "exploration_final_eps", 1.5),
+        ("ppo", "n_steps", 0),
+        ("ppo", "batch_size", 4096),
+        ("ppo", "gamma", math.inf),
+        ("ppo", "speed", 3),
+    ],
+)
+def test_bad_settings_name_the_key(name: str, key: str, value: object) -> None:
+    with pytest.raises(InvalidValueError, match=key):
+        agent_kind(name).make_config({key: value})
+
+
+def test_unknown_agent_lists_the_known_ones() -> None:
+    with pytest.raises(InvalidValueError, match="dqn, ppo"):
+        agent_kind("sac")

@@ -1,0 +1,59 @@
+import json
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from singulate.cli import main
+from singulate.runs import RunDirectory, RunReader, read_status
+
+SMALL = ("--set", "learning_starts=5", "--set", "batch_size=8", "--set", "net_arch=[16]")
+
+
+def test_train_resume_and_evaluate(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    run_dir = str(tmp_path / "run")
+    options = ("--agent", "dqn", "--scenario", "random-2", "--steps", "20", "--seed", "1", *SMALL)
+    assert main(["train", *options, "--run-dir", run_dir, "--json"]) == 0
+    first = json.loads(capsys.readouterr().out)
+    assert (first["state"], first["num_steps"]) == ("finished", 20)
+    assert main(["train", "--resume", run_dir, "--steps", "30", "--json"]) == 0
+    second = json.loads(capsys.readouterr().out)
+    assert second["checkpoint"].endswith("step-000000030")
+
+    arguments = ["evaluate", run_dir, "--episodes", "12", "--workers", "1"]
+    assert main([*arguments, "--json"]) == 0
+    result = json.loads(capsys.readouterr().out)
+    assert result["scenario"] == "random-2"
+    assert result["num_episodes"] == 12
+    low, high = result["success_interval_95"]
+    assert low <= result["success_rate"] <= high
+    assert set(result["mean_reward_by_term"]) == {"start", "distance", "inside", "success"}
+    assert sum(result["failures"].values()) + result["num_successes"] == 12
+    assert main(arguments) == 0
+    assert "95 % interval" in capsys.readouterr().out
+
+
+def test_an_existing_run_is_not_touched(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    RunDirectory(tmp_path).create({"mine": True})
+    assert main(["train", "--agent", "dqn", "--steps", "5", "--run-dir", str(tmp_path)]) == 2
+    assert "holds a run already" in capsys.readouterr().err
+    assert RunDirectory(tmp_path).read_config() == {"mine": True}
+
+
+def test_ctrl_c_saves_a_checkpoint_and_exits_with_130(tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "singulate", "train", "--agent", "dqn", "--steps", "100000"]
+    process = subprocess.Popen(
+        [*command, *SMALL, "--run-dir", str(tmp_path / "run")], stdout=subprocess.DEVNULL
+    )
+    deadline = time.monotonic() + 60.0
+    while RunReader(tmp_path / "run").last_step() < 10:
+        assert time.monotonic() < deadline and process.poll() is None
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    assert process.wait(timeout=30) == 130
+    assert read_status(tmp_path / "run").state == "stopped"
+    newest = RunDirectory(tmp_path / "run").latest_checkpoint()
+    assert newest is not None and newest.name != "step-000000000"
