@@ -35,7 +35,7 @@ def bench_dashboard(options: BenchOptions) -> Iterator[Measurement]:
         run_dir = directory / "run"
         with running_trainer(run_dir):
             alone = [pushes_per_second(run_dir, seconds)]
-            with running_dashboard(run_dir) as url:
+            with running_dashboard(directory, run_dir) as url:
                 with open_page(url, directory, niceness=19):
                     time.sleep(_SETTLE_S)
                     remote = pushes_per_second(run_dir, seconds)

@@ -22,27 +22,35 @@ WARM_UP_STEPS = 100
 
 
 @contextmanager
-def running_dashboard(run_dir: Path) -> Iterator[str]:
-    """Start ``python -m app`` on a free port, watching a run; yields its address.
+def running_dashboard(directory: Path, run_dir: Path | None = None) -> Iterator[str]:
+    """Start ``python -m app`` on a free port; yields its address.
+
+    Args:
+        directory: For its log and for runs that it might start.
+        run_dir: The run to watch.
 
     Raises:
         SingulateError: If it ends before it listens.
     """
-    environment = os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
     command = [sys.executable, "-m", "app", "--port", "0", "--scenario", "fixed-2"]
-    with (run_dir.parent / "app.log").open("wb") as log:
+    if run_dir is not None:
+        command += ["--run", str(run_dir)]
+    path = {"PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
+    log_path = directory / "app.log"
+    with log_path.open("wb") as log:
         process = subprocess.Popen(
-            [*command, "--run", str(run_dir)],
+            command,
             stdout=subprocess.PIPE,
             stderr=log,
-            env=environment,
+            env=os.environ | path | {"SINGULATE_RUNS": str(directory)},
             text=True,
         )
     assert process.stdout is not None
     try:
         found = re.search(r"http\S+", process.stdout.readline())
         if found is None:
-            raise SingulateError(f"the dashboard does not start (exit status {process.wait()})")
+            said = log_path.read_text(errors="replace").strip().splitlines()[-1:]
+            raise SingulateError(f"the dashboard does not start: {' '.join(said)}")
         yield found[0]
     finally:
         process.terminate()

@@ -27,10 +27,16 @@ def test_speed_is_read_from_a_real_training(tmp_path: Path) -> None:
 
 @pytest.mark.browser
 def test_a_click_on_the_real_page_is_timed(tmp_path: Path) -> None:
-    run_dir = tmp_path / "empty"
-    run_dir.mkdir()
-    with running_dashboard(run_dir) as url, open_page(url, tmp_path, niceness=1) as page:
+    with running_dashboard(tmp_path) as url, open_page(url, tmp_path, niceness=1) as page:
         clicks = [page.click(-0.8, -0.7), page.click(0.8, -0.7)]
         assert page.frames_per_second(0.5) > 0.0
     for click in clicks:
         assert 0.0 < click.motion < click.picture < 30.0
+
+
+def test_a_dashboard_that_does_not_start_says_why(tmp_path: Path) -> None:
+    with (
+        pytest.raises(SingulateError, match=r"does not start: .*nowhere"),
+        running_dashboard(tmp_path, tmp_path / "nowhere"),
+    ):
+        pass
