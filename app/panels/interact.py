@@ -141,7 +141,6 @@ class InteractPanel:
         self._policy.options = options
         show_value(self._policy, current)
         self._agent_push.disabled = policy is None
-        self._watching.handle.disabled = policy is None
 
 
 def _scene_html(scene: SceneSnapshot | None) -> str:
