@@ -28,7 +28,7 @@ def test_a_killed_trainer_is_explained_and_its_run_goes_on(
     run_dir = tmp_path / "run"
     trainer = start_trainer(make_config("dqn", 100_000, checkpoint_every=20), run_dir)
     assert os.getsid(trainer.process.pid) == trainer.process.pid
-    _wait_for_steps(trainer, 50)
+    _wait_for_steps(trainer, 50, generation=0)
     assert trainer.death() is None
     trainer.process.kill()
     trainer.process.wait()
@@ -38,7 +38,7 @@ def test_a_killed_trainer_is_explained_and_its_run_goes_on(
     assert load_policy(run_dir).kind == "dqn"
 
     again = start_trainer(None, run_dir)
-    _wait_for_steps(again, status.num_steps + 30)
+    _wait_for_steps(again, 80, generation=1)
     again.process.send_signal(signal.SIGTERM)
     assert again.process.wait(timeout=30) == 0
     assert read_status(run_dir).state == "stopped"
@@ -60,10 +60,10 @@ def test_only_a_run_can_be_continued(tmp_path: Path) -> None:
         start_trainer(None, tmp_path)
 
 
-def _wait_for_steps(trainer: TrainerProcess, num_steps: int) -> None:
+def _wait_for_steps(trainer: TrainerProcess, num_steps: int, generation: int) -> None:
     reader = RunReader(trainer.run_dir)
     deadline = time.monotonic() + 60.0
-    while reader.last_step() < num_steps:
+    while reader.last_step() < num_steps or reader.generation() != generation:
         assert trainer.death() is None
         assert time.monotonic() < deadline, "timed out"
         time.sleep(0.05)
