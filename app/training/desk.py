@@ -94,8 +94,8 @@ class TrainingDesk:
 
     def stop_trainer(self) -> None:
         """Ask the trainer that was started here to save a checkpoint and stop."""
-        if self._launched is not None and self._launched.is_alive:
-            send_control(self._launched.run_dir, "stop")
+        if self._launched is not None:
+            self._launched.stop()
 
     def wait_for_trainer(self, timeout_s: float) -> None:
         """Wait for the end of the trainer that was started here."""

@@ -60,6 +60,11 @@ class Launched:
         """Why it ended, one line; empty while it lives or where it ended well."""
         return self._trainer.death() or ""
 
+    def stop(self) -> None:
+        """Have it save a checkpoint and end; one that has only begun ends at once."""
+        if self.is_alive:
+            self._trainer.process.terminate()
+
     def wait(self, timeout_s: float) -> bool:
         """Wait for its end; False if it is still there."""
         try:
