@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from app.fields.colormaps import DIVERGING, SEQUENTIAL, Colormap
-from app.fields.histogram import start_histogram, starts_between
+from app.fields.histogram import fitting_bins, start_histogram, starts_between
 from app.fields.resample import nearest_stack
 from app.preferences import Preferences
 from app.snapshot import Snapshot
@@ -96,7 +96,7 @@ def _histogram(snapshot: Snapshot, preferences: Preferences, workspace: Workspac
     if window is None or snapshot.run is None:
         return None
     starts = starts_between(snapshot.run.starts, snapshot.run.start_steps, *window)
-    return start_histogram(starts, workspace)
+    return start_histogram(starts, workspace, fitting_bins(snapshot.run.starts, workspace))
 
 
 _TRUTH = frozenset({"reward_map"})

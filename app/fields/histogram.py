@@ -6,6 +6,8 @@ import numpy.typing as npt
 from singulate.geometry import Workspace
 
 NUM_BINS = 32
+GRID_SAMPLE = 2000
+"""Starts that are looked at to find a grid."""
 
 
 def start_histogram(
@@ -26,6 +28,18 @@ def start_histogram(
         -starts[:, 1], starts[:, 0], bins=num_bins, range=[[-edge, edge], [-edge, edge]]
     )
     return np.asarray(counts, dtype=np.float32)
+
+
+def fitting_bins(starts: npt.NDArray[np.floating], workspace: Workspace) -> int:
+    """Cells along each side that suit some starts (N, 2) [m].
+
+    Agents with a grid of starts (paper, section 5.4) get the cells of their grid; finer ones would
+    show stripes of empty cells.
+    """
+    columns = np.unique(np.round(starts[-GRID_SAMPLE:, 0], 3))
+    if not 2 <= len(columns) < NUM_BINS:
+        return NUM_BINS
+    return min(max(1, round(workspace.length / float(np.diff(columns).min()))), NUM_BINS)
 
 
 def starts_between(

@@ -34,35 +34,35 @@ class FieldsPanel:
         self._watches = {name: Watch() for name in ("form", "inputs", "reward", "q", "inspect")}
         self._throttle = Throttle(PICTURE_INTERVAL)
         gui, preferences = context.gui, context.preferences
-        self._field = gui.add_dropdown(
+        self.field = gui.add_dropdown(
             "On the table", tuple(FIELDS_BY_LABEL), hint="Keys F and G",
             initial_value=FIELDS_BY_KEY[preferences.field].label,
         )  # fmt: skip
-        self._choice = gui.add_dropdown("Direction", CHOICES, initial_value=preferences.choice)
+        self.choice = gui.add_dropdown("Direction", CHOICES, initial_value=preferences.choice)
         self._opacity = gui.add_slider("Opacity", 0.0, 1.0, 0.05, preferences.opacity)
         self._span = gui.add_dropdown("Colours span", SPANS, initial_value=preferences.span)
-        self._legend = gui.add_html(block(dimmed("Nothing on the table.")))
+        self.legend = gui.add_html(block(dimmed("Nothing on the table.")))
         self._inspects = add_switch(
             gui, "A click", _keep(preferences, "click_inspects"), ("inspects", "pushes")
         )
-        self._inspection = gui.add_html("", visible=False)
+        self.inspection = gui.add_html("", visible=False)
         self._all = add_switch(
             gui, "All directions", _keep(preferences, "shows_all_directions"), ("show", "hide")
         )
-        self._reward = gui.add_html("")
-        self._q = gui.add_html("")
-        self._inputs = gui.add_html("")
+        self.reward = gui.add_html("")
+        self.q = gui.add_html("")
+        self.inputs = gui.add_html("")
         self._listen()
 
     def _listen(self) -> None:
         report, preferences = self._context.report, self._context.preferences
         listen(
-            self._field,
+            self.field,
             one_of("field", FIELDS_BY_LABEL),
             lambda label: setattr(preferences, "field", FIELDS_BY_LABEL[label].key),
             report,
         )
-        listen(self._choice, one_of("direction", CHOICES), _keep(preferences, "choice"), report)
+        listen(self.choice, one_of("direction", CHOICES), _keep(preferences, "choice"), report)
         listen(self._opacity, number("opacity", 0.0, 1.0), _keep(preferences, "opacity"), report)
         listen(self._span, one_of("colours span", SPANS), _keep(preferences, "span"), report)
 
@@ -76,7 +76,7 @@ class FieldsPanel:
         """Show a snapshot; `draped` is what lies on this client's table."""
         preferences = self._context.preferences
         self._update_form()
-        show(self._legend, _legend_html(snapshot, preferences.field, draped))
+        show(self.legend, _legend_html(snapshot, preferences.field, draped))
         if not self._throttle.is_due(now):
             return
         self._update_inspection(snapshot)
@@ -87,8 +87,8 @@ class FieldsPanel:
         preferences = self._context.preferences
         kind = FIELDS_BY_KEY[preferences.field]
         pairs: tuple[tuple[viser.GuiInputHandle[Any], object], ...] = (
-            (self._field, kind.label),
-            (self._choice, preferences.choice),
+            (self.field, kind.label),
+            (self.choice, preferences.choice),
             (self._span, preferences.span),
             (self._opacity, preferences.opacity),
         )
@@ -97,16 +97,16 @@ class FieldsPanel:
         if self._watches["form"].has_changed(*(value for _, value in pairs)):
             for handle, value in pairs:
                 show_value(handle, value)
-            self._choice.visible = kind.is_directional
+            self.choice.visible = kind.is_directional
 
     def _update_inspection(self, snapshot: Snapshot) -> None:
         truth, policy, scene = snapshot.reward_map, snapshot.policy, snapshot.scene
         place = self._context.preferences.inspected
-        self._inspection.visible = self._context.preferences.click_inspects
-        if self._inspection.visible and self._watches["inspect"].has_changed(
+        self.inspection.visible = self._context.preferences.click_inspects
+        if self.inspection.visible and self._watches["inspect"].has_changed(
             place, truth and truth.values, policy and policy.q_map, scene and scene.distance_map
         ):
-            show(self._inspection, inspection_html(snapshot, place, self._context.workspace))
+            show(self.inspection, inspection_html(snapshot, place, self._context.workspace))
 
     def _update_montages(self, snapshot: Snapshot) -> None:
         preferences = self._context.preferences
@@ -114,8 +114,8 @@ class FieldsPanel:
         truth, policy = snapshot.reward_map, snapshot.policy
         maps = (truth and truth.values, policy and policy.q_map)
         for key, handle, line in (
-            ("reward", self._reward, reward_map_line(snapshot)),
-            ("q", self._q, policy_line(snapshot)),
+            ("reward", self.reward, reward_map_line(snapshot)),
+            ("q", self.q, policy_line(snapshot)),
         ):
             own = maps[0] if key == "reward" else maps[1]
             other = maps if preferences.span == "reward and Q" else None
@@ -130,7 +130,7 @@ class FieldsPanel:
         preferences, workspace = self._context.preferences, self._context.workspace
         values = kind.read(snapshot, preferences, workspace)
         if values is None:
-            return block(title(kind.label), dimmed(line))
+            return block(title(kind.label), dimmed(_missing_text(kind, snapshot, line)))
         stack = values.astype(np.float32, copy=False)
         spans = tuple(span_of(kind, each, stack, snapshot, preferences) for each in stack)
         shares = preferences.span != "each field"
@@ -158,11 +158,18 @@ class FieldsPanel:
             for name, image in pictures
         )
         html = f'<div style="display:flex;gap:4px">{figures}</div>'
-        show(self._inputs, block(title("What the agent sees, and where it starts"), html))
+        show(self.inputs, block(title("What the agent sees, and where it starts"), html))
 
 
 def _keep(preferences: Preferences, name: str) -> Callable[[Any], None]:
     return lambda value: setattr(preferences, name, value)
+
+
+def _missing_text(kind: FieldKind, snapshot: Snapshot, line: str) -> str:
+    policy = snapshot.policy
+    if kind.key == "q" and policy is not None and policy.start_density is not None:
+        return f"{policy.kind} has no Q values; it says where it starts: see its start density."
+    return line
 
 
 def _legend_html(snapshot: Snapshot, key: str, draped: DrapedField | None) -> str:

@@ -36,7 +36,7 @@ class InteractPanel:
         self._scene: SceneSnapshot | None = None
         self._sources: dict[str, str] = {}
         self._scene_watch, self._policy_watch = Watch(), Watch()
-        self._state = context.gui.add_html(_scene_html(None))
+        self.state = context.gui.add_html(_scene_html(None))
         self._add_scene_controls()
         self._add_agent_controls()
         self._add_motion_controls()
@@ -44,36 +44,36 @@ class InteractPanel:
 
     def _add_scene_controls(self) -> None:
         gui, context = self._context.gui, self._context
-        self._scenario = gui.add_dropdown("Scenario", SCENARIOS, initial_value="random-2")
-        self._seed = gui.add_number("Seed", 0, min=0, max=MAX_SEED, step=1)
+        self.scenario = gui.add_dropdown("Scenario", SCENARIOS, initial_value="random-2")
+        self.seed = gui.add_number("Seed", 0, min=0, max=MAX_SEED, step=1)
         self._scene_buttons = gui.add_button_group("Table", ("Reset", "Next seed", "Undo"))
-        self._directions = MarkedChoice(
+        self.directions = MarkedChoice(
             gui, "Push towards", OTHERS, CHOSEN, self._choose_direction, hint="Keys 1 to 4"
         )
-        listen(self._scenario, one_of("scenario", SCENARIOS),
+        listen(self.scenario, one_of("scenario", SCENARIOS),
                lambda _: self.reset(), context.report)  # fmt: skip
-        listen(self._seed, whole_number("seed", 0, MAX_SEED),
+        listen(self.seed, whole_number("seed", 0, MAX_SEED),
                lambda _: self.reset(), context.report)  # fmt: skip
         on_pick(self._scene_buttons, self._press_scene_button)
 
     def _add_agent_controls(self) -> None:
         gui, context = self._context.gui, self._context
-        self._policy = gui.add_dropdown("Agent", (NO_POLICY,))
-        self._agent_push = gui.add_button("Agent pushes", icon=viser.Icon.ROBOT)
-        self._watching = add_switch(
+        self.policy = gui.add_dropdown("Agent", (NO_POLICY,))
+        self.agent_push = gui.add_button("Agent pushes", icon=viser.Icon.ROBOT)
+        self.watching = add_switch(
             gui, "Watch it play", lambda is_on: context.submit(SetWatching(is_on))
         )
-        listen(self._policy, lambda value: one_of("agent", self._policy.options)(value),
+        listen(self.policy, lambda value: one_of("agent", self.policy.options)(value),
                self._load_policy, context.report)  # fmt: skip
-        on_press(self._agent_push, lambda: context.submit(AgentPush()))
+        on_press(self.agent_push, lambda: context.submit(AgentPush()))
 
     def _add_motion_controls(self) -> None:
         gui, context = self._context.gui, self._context
-        self._speed = gui.add_slider("Speed", MIN_SPEED, MAX_SPEED, 0.1, 1.0)
-        self._motion = gui.add_button_group("Motion", ("Pause", "One step"))
-        listen(self._speed, number("speed", MIN_SPEED, MAX_SPEED),
+        self.speed = gui.add_slider("Speed", MIN_SPEED, MAX_SPEED, 0.1, 1.0)
+        self.motion = gui.add_button_group("Motion", ("Pause", "One step"))
+        listen(self.speed, number("speed", MIN_SPEED, MAX_SPEED),
                lambda value: context.submit(SetSpeed(value)), context.report)  # fmt: skip
-        on_pick(self._motion, lambda index: self.step() if index else self.pause_or_go())
+        on_pick(self.motion, lambda index: self.step() if index else self.pause_or_go())
 
     def reset(self) -> None:
         """Put up the scene that the form names.
@@ -81,8 +81,8 @@ class InteractPanel:
         Raises:
             InvalidValueError: If the form holds a value that is not allowed.
         """
-        scenario = one_of("scenario", SCENARIOS)(self._scenario.value)
-        seed = whole_number("seed", 0, MAX_SEED)(self._seed.value)
+        scenario = one_of("scenario", SCENARIOS)(self.scenario.value)
+        seed = whole_number("seed", 0, MAX_SEED)(self.seed.value)
         self._context.submit(ResetScene(scenario, seed))
 
     def pause_or_go(self) -> None:
@@ -116,18 +116,18 @@ class InteractPanel:
     def update(self, snapshot: Snapshot) -> None:
         """Show a snapshot."""
         self._scene = scene = snapshot.scene
-        self._directions.show(self._context.preferences.direction)
+        self.directions.show(self._context.preferences.direction)
         self._update_policies(snapshot)
-        show(self._state, _scene_html(scene))
+        show(self.state, _scene_html(scene))
         if scene is not None and self._scene_watch.has_changed(
             scene.scenario, scene.seed, scene.speed, scene.is_paused, scene.is_watching
         ):
             if scene.scenario in SCENARIOS:
-                show_value(self._scenario, scene.scenario)
-            show_value(self._seed, scene.seed)
-            show_value(self._speed, min(max(scene.speed, MIN_SPEED), MAX_SPEED))
-            self._watching.show(0 if scene.is_watching else 1)
-            self._motion.options = ("Go on" if scene.is_paused else "Pause", "One step")
+                show_value(self.scenario, scene.scenario)
+            show_value(self.seed, scene.seed)
+            show_value(self.speed, min(max(scene.speed, MIN_SPEED), MAX_SPEED))
+            self.watching.show(0 if scene.is_watching else 1)
+            self.motion.options = ("Go on" if scene.is_paused else "Pause", "One step")
         self._report.update(None if scene is None else scene.last_push)
 
     def _update_policies(self, snapshot: Snapshot) -> None:
@@ -138,9 +138,9 @@ class InteractPanel:
         self._sources = dict(snapshot.policies)
         listed = tuple(self._sources)
         options = listed if current in listed else (current, *listed)
-        self._policy.options = options
-        show_value(self._policy, current)
-        self._agent_push.disabled = policy is None
+        self.policy.options = options
+        show_value(self.policy, current)
+        self.agent_push.disabled = policy is None
 
 
 def _scene_html(scene: SceneSnapshot | None) -> str:

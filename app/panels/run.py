@@ -35,29 +35,29 @@ class RunPanel:
         self._run_dirs: dict[str, str] = {}
         self._watch, self._runs_watch = Watch(), Watch()
         gui = context.gui
-        self._status = gui.add_html(_status_html(None))
-        self._progress = gui.add_progress_bar(0.0, visible=False)
-        self._train = gui.add_button("Start training", icon=viser.Icon.PLAYER_PLAY)
-        self._save = context.secondary.add("Save checkpoint", disabled=True)
-        self._stop = context.secondary.add("Stop after this rollout", disabled=True)
-        on_press(self._train, self.train_or_pause, context.report)
-        on_press(self._save, lambda: context.submit(SaveCheckpoint()))
-        on_press(self._stop, lambda: context.submit(StopTraining()))
+        self.status = gui.add_html(_status_html(None))
+        self.progress = gui.add_progress_bar(0.0, visible=False)
+        self.train = gui.add_button("Start training", icon=viser.Icon.PLAYER_PLAY)
+        self.save = context.secondary.add("Save checkpoint", disabled=True)
+        self.stop = context.secondary.add("Stop after this rollout", disabled=True)
+        on_press(self.train, self.train_or_pause, context.report)
+        on_press(self.save, lambda: context.submit(SaveCheckpoint()))
+        on_press(self.stop, lambda: context.submit(StopTraining()))
         self._add_form()
 
     def _add_form(self) -> None:
         gui, context = self._context.gui, self._context
         with gui.add_folder("New run"):
-            self._agent = gui.add_dropdown("Agent", AGENTS, initial_value="dqn")
-            self._scenario = gui.add_dropdown("Scenario", SCENARIOS, initial_value="random-2")
-            self._steps = gui.add_number("Pushes", 20_000, min=1, max=MAX_TIMESTEPS, step=1000)
-            self._seed = gui.add_number("Seed", 0, min=0, max=MAX_SEED, step=1)
-            self._new = context.secondary.add("Start new run")
-        on_press(self._new, self._start, context.report)
-        self._runs = gui.add_dropdown("Watch run", (NO_RUN,), visible=False)
+            self.agent = gui.add_dropdown("Agent", AGENTS, initial_value="dqn")
+            self.scenario = gui.add_dropdown("Scenario", SCENARIOS, initial_value="random-2")
+            self.steps = gui.add_number("Pushes", 20_000, min=1, max=MAX_TIMESTEPS, step=1000)
+            self.seed = gui.add_number("Seed", 0, min=0, max=MAX_SEED, step=1)
+            self.new = context.secondary.add("Start new run")
+        on_press(self.new, self._start, context.report)
+        self.runs = gui.add_dropdown("Watch run", (NO_RUN,), visible=False)
         listen(
-            self._runs,
-            lambda value: one_of("run", self._runs.options)(value),
+            self.runs,
+            lambda value: one_of("run", self.runs.options)(value),
             self._watch_run,
             context.report,
         )
@@ -84,10 +84,10 @@ class RunPanel:
     def _start(self) -> None:
         self._context.submit(
             StartTraining(
-                agent=one_of("agent", AGENTS)(self._agent.value),
-                scenario=one_of("scenario", SCENARIOS)(self._scenario.value),
-                total_timesteps=whole_number("pushes", 1, MAX_TIMESTEPS)(self._steps.value),
-                seed=whole_number("seed", 0, MAX_SEED)(self._seed.value),
+                agent=one_of("agent", AGENTS)(self.agent.value),
+                scenario=one_of("scenario", SCENARIOS)(self.scenario.value),
+                total_timesteps=whole_number("pushes", 1, MAX_TIMESTEPS)(self.steps.value),
+                seed=whole_number("seed", 0, MAX_SEED)(self.seed.value),
             )
         )
 
@@ -96,23 +96,23 @@ class RunPanel:
         self._run = run = snapshot.run
         if self._runs_watch.has_changed(snapshot.runs, run.run_dir if run else ""):
             self._update_runs(snapshot.runs, run)
-        show(self._status, _status_html(run))
+        show(self.status, _status_html(run))
         if not self._watch.has_changed(run and (run.state, run.num_steps, run.total_steps)):
             return
         state = run.state if run else ""
         button = train_button(run)
-        self._train.label = button.label
-        self._train.disabled = button.action is None
-        self._train.icon = (
+        self.train.label = button.label
+        self.train.disabled = button.action is None
+        self.train.icon = (
             viser.Icon.PLAYER_PAUSE if button.action == "pause" else viser.Icon.PLAYER_PLAY
         )
-        self._save.disabled = state not in {"running", "paused"}
-        self._stop.disabled = state not in {"running", "paused"}
-        self._new.disabled = state in {"starting", "running", "pausing", "paused", "stopping"}
-        self._progress.visible = run is not None
+        self.save.disabled = state not in {"running", "paused"}
+        self.stop.disabled = state not in {"running", "paused"}
+        self.new.disabled = state in {"starting", "running", "pausing", "paused", "stopping"}
+        self.progress.visible = run is not None
         if run is not None and run.total_steps > 0:
-            show_value(self._progress, min(100.0, 100.0 * run.num_steps / run.total_steps))
-            self._progress.animated = state == "running"
+            show_value(self.progress, min(100.0, 100.0 * run.num_steps / run.total_steps))
+            self.progress.animated = state == "running"
 
     def _update_runs(self, runs: tuple[str, ...], run: RunSnapshot | None) -> None:
         current = run.run_dir if run else ""
@@ -120,9 +120,9 @@ class RunPanel:
         self._run_dirs = name_runs(listed)
         options = tuple(self._run_dirs) if run else (NO_RUN, *self._run_dirs)
         names = {run_dir: name for name, run_dir in self._run_dirs.items()}
-        self._runs.options = options
-        show_value(self._runs, names.get(current, NO_RUN))
-        self._runs.visible = len(options) > 1
+        self.runs.options = options
+        show_value(self.runs, names.get(current, NO_RUN))
+        self.runs.visible = len(options) > 1
 
 
 def name_runs(run_dirs: tuple[str, ...]) -> dict[str, str]:

@@ -7,7 +7,7 @@ import numpy as np
 from app.fields.catalogue import window_of
 from app.fields.colormaps import SEQUENTIAL
 from app.fields.field_image import field_image, value_span
-from app.fields.histogram import start_histogram, starts_between
+from app.fields.histogram import fitting_bins, start_histogram, starts_between
 from app.fields.legend import legend_html
 from app.panels.checks import one_of, whole_number
 from app.panels.context import PanelContext
@@ -18,8 +18,8 @@ from app.panels.watch import Throttle, Watch
 from app.snapshot import RunSnapshot, Snapshot
 
 INTERVAL = 0.25
-STRIP_LENGTH = 6
-"""Pictures in the strip that shows the whole run."""
+STRIP_LENGTH, STRIP_BINS = 6, 16
+"""Pictures in the strip that shows the whole run, and cells along each side of them."""
 WINDOW_SIZES = ("256", "512", "1024", "2048", "4096", "10000", "20000")
 
 
@@ -31,19 +31,19 @@ class StartsPanel:
         self._throttle, self._strip_throttle = Throttle(INTERVAL), Throttle(2.0)
         self._watch, self._strip_watch, self._range_watch = Watch(), Watch(), Watch()
         gui, preferences = context.gui, context.preferences
-        self._picture = gui.add_html(_empty_html())
-        self._follow = add_switch(gui, "Follow the run", self._set_follow)
-        self._end = gui.add_slider("Window end", 1, 2, 1, 2, visible=False)
+        self.picture = gui.add_html(_empty_html())
+        self.follow = add_switch(gui, "Follow the run", self._set_follow)
+        self.end = gui.add_slider("Window end", 1, 2, 1, 2, visible=False)
         self._size = gui.add_dropdown(
             "Window", WINDOW_SIZES, hint="Pushes", initial_value=str(preferences.window_size)
         )
-        self._strip = gui.add_html("")
-        listen(self._end, lambda value: whole_number("window end", 1, int(self._end.max))(value),
+        self.strip = gui.add_html("")
+        listen(self.end, lambda value: whole_number("window end", 1, int(self.end.max))(value),
                self._set_end, context.report)  # fmt: skip
         listen(self._size, one_of("window", WINDOW_SIZES), self._set_size, context.report)
 
     def _set_follow(self, is_on: bool) -> None:
-        self._context.preferences.window_end = None if is_on else int(self._end.value)
+        self._context.preferences.window_end = None if is_on else int(self.end.value)
 
     def _set_end(self, value: int) -> None:
         self._context.preferences.window_end = value
@@ -55,42 +55,40 @@ class StartsPanel:
         """Show a snapshot."""
         if not self._throttle.is_due(now):
             return
-        self._follow.show(0 if self._context.preferences.window_end is None else 1)
+        self.follow.show(0 if self._context.preferences.window_end is None else 1)
         window = window_of(snapshot, self._context.preferences)
         run = snapshot.run
         if run is None or window is None:
             if self._watch.has_changed(None):
-                show(self._picture, _empty_html())
-                self._end.visible = self._strip.visible = False
+                show(self.picture, _empty_html())
+                self.end.visible = self.strip.visible = False
             return
         self._update_slider(run, window[1])
         if self._watch.has_changed(run.run_dir, window, run.revision):
-            show(self._picture, self._histogram(run, window))
+            show(self.picture, self._histogram(run, window))
         if self._strip_throttle.is_due(now) and self._strip_watch.has_changed(
             run.run_dir, run.revision
         ):
-            self._strip.visible = True
-            show(self._strip, self._evolution(run))
+            self.strip.visible = True
+            show(self.strip, self._evolution(run))
 
     def _update_slider(self, run: RunSnapshot, end: int) -> None:
         newest = max(2, int(run.start_steps[-1]))
         if self._range_watch.has_changed(newest):
-            self._end.max = newest
-            self._end.visible = True
+            self.end.max = newest
+            self.end.visible = True
         if self._context.preferences.window_end is None:
-            show_value(self._end, max(1, end))
+            show_value(self.end, max(1, end))
 
     def _histogram(self, run: RunSnapshot, window: tuple[int, int]) -> str:
         starts = starts_between(run.starts, run.start_steps, *window)
-        counts = start_histogram(starts, self._context.workspace)
+        workspace = self._context.workspace
+        counts = start_histogram(starts, workspace, fitting_bins(run.starts, workspace))
         span = (0.0, max(1.0, float(counts.max())))
-        centre, spread = (starts.mean(axis=0), starts.std(axis=0)) if len(starts) else (None, None)
         summary = f"{len(starts):,} pushes"
-        if centre is not None and spread is not None:
-            summary += (
-                f" · mean ({centre[0]:.2f}, {centre[1]:.2f}) m"
-                f" · spread {float(np.mean(spread)):.2f} m"
-            )
+        if len(starts):
+            x, y = np.round(starts.mean(axis=0), 2) + 0.0  # no "-0.00"
+            summary += f" · mean ({x:.2f}, {y:.2f}) m · spread {starts.std(axis=0).mean():.2f} m"
         return block(
             title(f"Push starts, steps {window[0]:,} to {window[1]:,}"),
             picture(field_image(counts, span, SEQUENTIAL), "histogram of push starts"),
@@ -100,10 +98,12 @@ class StartsPanel:
 
     def _evolution(self, run: RunSnapshot) -> str:
         edges = np.linspace(0, int(run.start_steps[-1]), STRIP_LENGTH + 1).astype(int)
+        workspace = self._context.workspace
+        num_bins = min(STRIP_BINS, fitting_bins(run.starts, workspace))
         figures = []
         for first, last in pairwise(edges):
             starts = starts_between(run.starts, run.start_steps, int(first) + 1, int(last))
-            counts = start_histogram(starts, self._context.workspace, 16)
+            counts = start_histogram(starts, workspace, num_bins)
             image = field_image(counts, value_span(counts), SEQUENTIAL)
             label = f"{last / 1000:.1f}k" if last >= 1000 else str(last)
             figures.append(

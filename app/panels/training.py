@@ -6,13 +6,14 @@ from viser import uplot
 
 from app.panels.context import PanelContext
 from app.panels.curves import CHARTS, ChartSpec, chart_data, find_curve
-from app.panels.markup import block, dimmed, escape, show
+from app.panels.markup import block, dimmed, show
 from app.panels.watch import Throttle, Watch
 from app.snapshot import RunSnapshot, Snapshot
 
 CHART_INTERVAL = 1.0
 """Shortest time between two versions of the charts [s]."""
 CHART_HEIGHT = 120
+NO_POINTS = uplot.Series_Points(show=False)
 NO_TICKS = uplot.Axis_Ticks(show=False)
 RAW, SMOOTH = "rgba(34, 139, 230, 0.35)", "#228be6"
 
@@ -22,8 +23,8 @@ class TrainingPanel:
 
     def __init__(self, context: PanelContext) -> None:
         self._throttle, self._watch = Throttle(CHART_INTERVAL), Watch()
-        self._text = context.gui.add_html(_text_html(None))
-        self._charts = [(spec, _add_chart(context.gui, spec)) for spec in CHARTS]
+        self.text = context.gui.add_html(_text_html(None))
+        self.charts = [(spec, _add_chart(context.gui, spec)) for spec in CHARTS]
 
     def update(self, snapshot: Snapshot, now: float) -> None:
         """Show a snapshot."""
@@ -32,8 +33,8 @@ class TrainingPanel:
             return
         if not self._watch.has_changed(run and (run.run_dir, run.revision)):
             return
-        show(self._text, _text_html(run))
-        for spec, chart in self._charts:
+        show(self.text, _text_html(run))
+        for spec, chart in self.charts:
             found = None if run is None else find_curve(spec, run.curves)
             data = None if found is None else chart_data(found[1])
             chart.visible = data is not None and len(data[0]) > 1
@@ -47,8 +48,8 @@ def _add_chart(gui: viser.GuiApi, spec: ChartSpec) -> viser.GuiUplotHandle:
         (empty, empty, empty),
         (
             uplot.Series(label="push"),
-            uplot.Series(label="raw", stroke=RAW, width=1),
-            uplot.Series(label="smoothed", stroke=SMOOTH, width=2),
+            uplot.Series(label="raw", stroke=RAW, width=1, points=NO_POINTS),
+            uplot.Series(label="smoothed", stroke=SMOOTH, width=2, points=NO_POINTS),
         ),
         title=spec.title,
         scales={"x": uplot.Scale(time=False)},
@@ -66,4 +67,4 @@ def _add_chart(gui: viser.GuiApi, spec: ChartSpec) -> viser.GuiUplotHandle:
 def _text_html(run: RunSnapshot | None) -> str:
     if run is None or not run.curves:
         return block(dimmed("Curves appear here once a run has finished its first episodes."))
-    return block(dimmed(f"{escape(run.name)} · moving average over raw values"))
+    return block(dimmed(run.name))

@@ -1,6 +1,6 @@
 import numpy as np
 
-from app.fields.histogram import start_histogram, starts_between
+from app.fields.histogram import NUM_BINS, fitting_bins, start_histogram, starts_between
 from singulate.geometry import Workspace
 
 
@@ -27,3 +27,19 @@ def test_a_window_holds_its_two_ends():
     steps = np.array([10, 20, 30, 40, 50])
     assert starts_between(starts, steps, 20, 40)[:, 0].tolist() == [2.0, 4.0, 6.0]
     assert len(starts_between(starts, steps, 51, 99)) == 0
+
+
+def test_starts_on_a_grid_get_the_cells_of_the_grid():
+    along = (np.arange(10) + 0.5) * 0.2 - 1.0
+    grid = np.stack(np.meshgrid(along, along), axis=-1).reshape(-1, 2).astype(np.float32)
+    workspace = Workspace()
+    assert fitting_bins(grid, workspace) == 10
+    assert (start_histogram(grid, workspace, 10) == 1.0).all()
+    assert fitting_bins(grid[::3], workspace) == 10
+
+
+def test_starts_anywhere_get_fine_cells():
+    starts = np.random.default_rng(0).uniform(-1.0, 1.0, (500, 2))
+    assert fitting_bins(starts, Workspace()) == NUM_BINS
+    assert fitting_bins(np.zeros((0, 2)), Workspace()) == NUM_BINS
+    assert fitting_bins(np.zeros((5, 2)), Workspace()) == NUM_BINS

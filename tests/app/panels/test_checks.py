@@ -8,7 +8,7 @@ from singulate.exceptions import InvalidValueError
 
 @pytest.mark.parametrize("value", ["c", "", None, 1, ["a"], "A"])
 def test_texts_that_are_not_offered_are_refused(value: object):
-    with pytest.raises(InvalidValueError, match="letter: .* is not allowed; allowed: a, b"):
+    with pytest.raises(InvalidValueError, match=r"letter: .* is not allowed; allowed: a, b"):
         one_of("letter", ("a", "b"))(value)
 
 
