@@ -78,13 +78,14 @@ class Laboratory:
         self._watching = Watching()
         checkpoints = checkpoints_dir or shipped_checkpoints_directory()
         workers = num_workers or max(1, (os.cpu_count() or 1) - 1)
+        # First what may refuse its arguments, so that no process is left behind.
+        self._training = TrainingLink(
+            runs_dir or default_runs_directory(), checkpoints, run_dir, self._notices
+        )
         self._scene = SceneLink(scenario, seed, self._notices, self._news.set)
         self._policy = PolicyLink(self._notices, self._news.set)
         self._reward_maps = RewardMapLink(workers, self._notices, self._news.set)
         self._pushing = Pushing(self._scene, self._policy, self._notices)
-        self._training = TrainingLink(
-            runs_dir or default_runs_directory(), checkpoints, run_dir, self._notices
-        )
         if (checkpoints / FIRST_POLICY).is_dir():
             self._policy.load(str(checkpoints / FIRST_POLICY))
 
