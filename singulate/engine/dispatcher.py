@@ -62,7 +62,20 @@ class Dispatcher(threading.Thread):
 
     def run(self) -> None:
         """Serve until the end is requested."""
-        self._workers = [WorkerHandle(self._niceness) for _ in range(self._num_workers)]
+        reason = "the engine has been closed"
+        try:
+            self._serve()
+        except Exception as error:  # nobody may wait for results for ever
+            reason = f"the engine has failed ({type(error).__name__}: {error})"
+        for batch in self._batches.values():
+            batch.abandon(reason)
+        for worker in self._workers:
+            worker.kill()
+            worker.end()
+
+    def _serve(self) -> None:
+        for _ in range(self._num_workers):
+            self._workers.append(self._start_worker())
         while self._read_requests():
             self._hand_out()
             connections = [worker.connection for worker in self._workers]
@@ -71,12 +84,6 @@ class Dispatcher(threading.Thread):
                 if worker.connection in ready:
                     self._read(worker)
             self._kill_hung()
-        for batch in self._batches.values():
-            batch.abandon("the engine has been closed")
-        for worker in self._workers:
-            worker.kill()
-            worker.end()
-        self._wake_reader.close()
 
     def _read_requests(self) -> bool:
         while self._wake_reader.poll():
@@ -100,15 +107,14 @@ class Dispatcher(threading.Thread):
             if any(task.key.batch_id == request.batch_id for task in worker.assigned):
                 worker.send(request)
                 if worker.assigned[0].key.batch_id == request.batch_id:
-                    patience = time.monotonic() + self._cancel_grace_s
-                    worker.deadline = min(worker.deadline, patience)
+                    worker.hurry(self._cancel_grace_s)
 
     def _hand_out(self) -> None:
         """One task to each idle worker, then one ahead, so that none waits for the next."""
         for depth in (1, 2):
             for worker in self._workers:
                 task = self._next_task() if len(worker.assigned) < depth else None
-                if task is not None and not worker.take(task, self._hang_timeout_s):
+                if task is not None and not worker.take(task):
                     self._batches[task.key.batch_id].pending.appendleft(task)
 
     def _next_task(self) -> RunTask | None:
@@ -127,7 +133,7 @@ class Dispatcher(threading.Thread):
             while worker.connection.poll():
                 message: Ready | Finished = worker.connection.recv()
                 if isinstance(message, Ready):
-                    worker.is_ready = True
+                    worker.note_ready()
                     self._num_failed_starts = 0
                 else:
                     self._finish(worker, message)
@@ -135,7 +141,7 @@ class Dispatcher(threading.Thread):
             self._replace(worker)
 
     def _finish(self, worker: WorkerHandle, message: Finished) -> None:
-        worker.finish_first(self._hang_timeout_s)
+        worker.note_finished()
         batch_id, index = message.key
         batch = self._batches.get(batch_id)
         if batch is not None:
@@ -162,9 +168,12 @@ class Dispatcher(threading.Thread):
                 batch.deliver(task.key.task_index, None, text, num_deaths)
         self._num_failed_starts += not worker.is_ready
         if self._num_failed_starts < MAX_FAILED_STARTS:
-            self._workers.append(WorkerHandle(self._niceness))
+            self._workers.append(self._start_worker())
         elif not self._workers:
             self._give_up(reason)
+
+    def _start_worker(self) -> WorkerHandle:
+        return WorkerHandle(self._niceness, self._hang_timeout_s)
 
     def _give_up(self, reason: str) -> None:
         self._failure = f"worker processes end before they are ready ({reason})"

@@ -47,7 +47,7 @@ class LocalEngine:
         *,
         niceness: int = 15,
         hang_timeout_s: float = 120.0,
-        cancel_grace_s: float = 5.0,
+        cancel_grace_s: float = 10.0,
     ) -> None:
         if num_workers is None:
             num_workers = os.cpu_count() or 1
@@ -87,8 +87,8 @@ class LocalEngine:
         ]
         batch: LocalBatch[ResultT] = LocalBatch(batch_id, messages, self._cancel)
         with self._lock:
-            if self._is_closed:
-                raise EngineError("the engine has been closed")
+            if self._is_closed or not self._dispatcher.is_alive():
+                raise EngineError("the engine has been closed or has failed")
             if messages:
                 self._dispatcher.request(batch)
         return batch

@@ -14,6 +14,9 @@ from singulate.engine.messages import DropBatch, RunTask
 MAX_PREFETCH_BYTES = 2**14
 """A task larger than this is sent only to an idle worker: two full pipes would wait for ever."""
 
+START_TIMEOUT_S = 60.0
+"""A worker that is not ready by then is replaced [s]."""
+
 _ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
 
 
@@ -22,19 +25,21 @@ class WorkerHandle:
 
     Args:
         niceness: Added to the engine's own.
+        hang_timeout_s: A task that takes longer counts as hung.
 
     Attributes:
         connection: Messages to and from the worker; at its end the worker is dead.
         assigned: Tasks in the order in which the worker runs them; the first one is running.
         is_ready: Whether it has ever answered.
-        deadline: When the running task counts as hung, by `time.monotonic` [s].
+        deadline: When the start or the running task counts as hung, by `time.monotonic` [s].
     """
 
-    def __init__(self, niceness: int) -> None:
+    def __init__(self, niceness: int, hang_timeout_s: float) -> None:
         self.connection, child = Pipe()
+        self._hang_timeout_s = hang_timeout_s
         self.assigned: deque[RunTask] = deque()
         self.is_ready = False
-        self.deadline = float("inf")
+        self.deadline = time.monotonic() + START_TIMEOUT_S
         with child:
             arguments = [str(child.fileno()), str(os.getpid()), str(niceness)]
             self._process = subprocess.Popen(
@@ -54,7 +59,12 @@ class WorkerHandle:
         """Process id."""
         return self._process.pid
 
-    def take(self, task: RunTask, timeout_s: float) -> bool:
+    def note_ready(self) -> None:
+        """The worker has answered; its first task, if any, begins now."""
+        self.is_ready = True
+        self._restart_clock()
+
+    def take(self, task: RunTask) -> bool:
         """Send a task to run, or to wait behind the running one.
 
         Returns:
@@ -64,14 +74,19 @@ class WorkerHandle:
             return False
         self.send(task)
         self.assigned.append(task)
-        if len(self.assigned) == 1:
-            self.deadline = time.monotonic() + timeout_s
+        if self.is_ready and len(self.assigned) == 1:
+            self._restart_clock()
         return True
 
-    def finish_first(self, timeout_s: float) -> None:
-        """Note that the running task has ended and the next one, if any, has begun."""
+    def note_finished(self) -> None:
+        """The running task has ended and the next one, if any, has begun."""
         self.assigned.popleft()
-        self.deadline = time.monotonic() + (timeout_s if self.assigned else float("inf"))
+        self._restart_clock()
+
+    def hurry(self, grace_s: float) -> None:
+        """Bring the deadline of a running task forward."""
+        if self.is_ready:
+            self.deadline = min(self.deadline, time.monotonic() + grace_s)
 
     def send(self, message: RunTask | DropBatch) -> None:
         """Send it; a dead worker is noticed where its messages are read."""
@@ -96,6 +111,10 @@ class WorkerHandle:
         if status is None:
             self._process.kill()
             status = self._process.wait()
-        if status < 0:
-            return signal.Signals(-status).name
-        return f"exit status {status}"
+        if status >= 0:
+            return f"exit status {status}"
+        return next((s.name for s in signal.Signals if s == -status), f"signal {-status}")
+
+    def _restart_clock(self) -> None:
+        timeout = self._hang_timeout_s if self.assigned else float("inf")
+        self.deadline = time.monotonic() + timeout
