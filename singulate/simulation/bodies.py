@@ -1,6 +1,6 @@
 """Boxes in Bullet: solid ones for physics, visible ones for the camera."""
 
-import pybullet
+from singulate.simulation.bullet import pybullet
 
 Vector3 = tuple[float, float, float]
 Quaternion = tuple[float, float, float, float]

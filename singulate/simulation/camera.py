@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 import numpy.typing as npt
-import pybullet
 
 from singulate.geometry import CameraFrame, Workspace
+from singulate.simulation.bullet import pybullet
 
 CAMERA_HEIGHT = 20.0
 """Height above the table [m]; from here a block of 0.2 m leans outward by at most 1 % of its

@@ -1,9 +1,8 @@
 """What the cameras see: boxes without physics, kept and moved from scene to scene."""
 
-import pybullet
-
 from singulate.geometry import Poses, Workspace
 from singulate.simulation.bodies import TABLE_THICKNESS, UPRIGHT, add_visible_box
+from singulate.simulation.bullet import pybullet
 from singulate.simulation.fallen import is_fallen
 from singulate.simulation.palette import BLOCK_COLOURS, TABLE_COLOUR
 

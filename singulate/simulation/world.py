@@ -2,10 +2,9 @@
 
 import math
 
-import pybullet
-
 from singulate.geometry import BlockPose, Poses, Workspace
 from singulate.simulation.bodies import TABLE_THICKNESS, Vector3, add_solid_box
+from singulate.simulation.bullet import pybullet
 from singulate.simulation.fallen import is_fallen, on_the_floor
 from singulate.simulation.physics import Physics
 
