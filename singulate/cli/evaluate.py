@@ -39,11 +39,18 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument("--max-pushes", type=int, help="pushes an episode may take")
     parser.add_argument("--goal-separation", type=float, metavar="M", help="d_goal of Eq. 2 [m]")
     parser.add_argument("--workers", type=int, help="worker processes (one a core)")
+    parser.add_argument(
+        "--publish",
+        type=Path,
+        metavar="DIR",
+        help="also copy the weights there, with a README of what was measured",
+    )
     parser.add_argument("--json", action="store_true", help="print JSON")
     parser.set_defaults(run=_run)
 
 
 def _run(args: argparse.Namespace) -> int:
+    from singulate.cli.publishing import publish
     from singulate.evaluation import evaluate
 
     policy, source, env_config = _load(args.checkpoint)
@@ -63,6 +70,17 @@ def _run(args: argparse.Namespace) -> int:
         "max_pushes": env_config.push_limit,
         "seed": args.seed,
     }
+    if args.publish is not None:
+        with CountBar("Random policy", args.episodes) as bar:
+            baseline = evaluate(
+                RandomPolicy(),
+                env_config,
+                args.episodes,
+                args.seed,
+                workers=workers,
+                on_progress=bar.set,
+            )
+        publish(Path(source), args.publish, evaluation, baseline, args.seed)
     if args.json:
         print(json.dumps({**about, **evaluation.to_dict()}))
     else:

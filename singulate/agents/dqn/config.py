@@ -38,10 +38,10 @@ class DQNConfig:
     buffer_size: int = 10_000
     learning_starts: int = 500
     batch_size: int = 64
-    gradient_steps: int = 1
+    gradient_steps: int = 2
     gamma: float = 0.9
     target_update_interval: int = 500
-    exploration_steps: int = 10_000
+    exploration_steps: int = 6_000
     exploration_final_eps: float = 0.05
     symmetries: bool = True
 

@@ -33,14 +33,17 @@ class SymmetricReplayBuffer(ReplayBuffer):
         size = self.buffer_size if self.full else self.pos
         rows = self.rng.integers(0, size, size=batch_size)
         observations = self.observations[rows, 0]
-        next_observations = self.next_observations[rows, 0]
         actions = self.actions[rows, 0]
         dones = self.dones[rows] * (1.0 - self.timeouts[rows])
+        # What follows the last push of an episode has no effect, so any image will do.
+        next_observations = observations if dones.all() else self.next_observations[rows, 0]
         if self.symmetries:
             chosen = self.rng.integers(0, NUM_SYMMETRIES, size=batch_size)
+            is_same = next_observations is observations
             observations = _transform_each(observations, chosen)
-            if not dones.all():
-                next_observations = _transform_each(next_observations, chosen)
+            next_observations = (
+                observations if is_same else _transform_each(next_observations, chosen)
+            )
             actions = self._action_table[chosen[:, None], actions]
         arrays = (observations, actions, next_observations, dones, self.rewards[rows])
         return ReplayBufferSamples(*map(self.to_torch, arrays))
