@@ -26,7 +26,8 @@ class EpisodeMetrics:
 
     def __init__(self) -> None:
         self._recent: list[Episode] = []
-        self._smooth: deque[Episode] = deque(maxlen=SMOOTHING_EPISODES)
+        self._smooth: deque[Episode] = deque()
+        self._sums = [0.0, 0]
         self._terms: list[Mapping[str, float]] = []
         self._reward = 0.0
         self._num_pushes = 0
@@ -34,12 +35,12 @@ class EpisodeMetrics:
     @property
     def success_rate(self) -> float:
         """Share of successes among the last `SMOOTHING_EPISODES` episodes, 0 before the first."""
-        return _mean([episode.is_success for episode in self._smooth])
+        return self._sums[1] / max(len(self._smooth), 1)
 
     @property
     def mean_reward(self) -> float:
         """Mean episode reward over the same episodes."""
-        return _mean([episode.total_reward for episode in self._smooth])
+        return self._sums[0] / max(len(self._smooth), 1)
 
     def add_push(
         self, reward: float, terms: Mapping[str, float], is_success: bool, is_done: bool
@@ -56,10 +57,18 @@ class EpisodeMetrics:
         self._num_pushes += 1
         self._terms.append(terms)
         if is_done:
-            episode = Episode(self._reward, self._num_pushes, is_success)
-            self._recent.append(episode)
-            self._smooth.append(episode)
+            self._add_episode(Episode(self._reward, self._num_pushes, is_success))
             self._reward, self._num_pushes = 0.0, 0
+
+    def _add_episode(self, episode: Episode) -> None:
+        self._recent.append(episode)
+        self._smooth.append(episode)
+        self._sums[0] += episode.total_reward
+        self._sums[1] += episode.is_success
+        if len(self._smooth) > SMOOTHING_EPISODES:
+            oldest = self._smooth.popleft()
+            self._sums[0] -= oldest.total_reward
+            self._sums[1] -= oldest.is_success
 
     def collect(self) -> dict[str, float]:
         """Metrics since the last call, by name; empty where no episode has ended."""

@@ -1,0 +1,46 @@
+import json
+from pathlib import Path
+
+import pytest
+
+import singulate
+from singulate.checkpoints import verify_checkpoint
+from singulate.cli import main
+from singulate.cli.publishing import train_command
+from singulate.envs import EnvConfig
+from singulate.training.config import TrainingConfig
+
+
+def test_a_published_checkpoint_is_small_and_says_what_was_measured(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    run_dir, published = tmp_path / "run", tmp_path / "checkpoints" / "mine"
+    options = ("--steps", "20", "--set", "net_arch=[16]", "--set", "learning_starts=5")
+    assert main(["train", "--agent", "dqn", *options, "--run-dir", str(run_dir)]) == 0
+    capsys.readouterr()
+    arguments = ["evaluate", str(run_dir), "--episodes", "6", "--workers", "1", "--json"]
+    assert main([*arguments, "--publish", str(published)]) == 0
+    measured = json.loads(capsys.readouterr().out)
+    manifest = verify_checkpoint(published)
+    assert list(manifest.files) == ["weights.safetensors"]
+    assert manifest.notes["evaluation"]["success_rate"] == measured["success_rate"]
+    readme = (published / "README.md").read_text()
+    assert str(manifest.notes["command"]) in readme
+    assert "random pushes" in readme
+    assert singulate.load_policy(published).kind == "dqn"
+
+
+def test_only_a_run_can_be_published_from(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["evaluate", "random", "--episodes", "1", "--publish", str(tmp_path / "x")]) == 2
+    assert "only a run's checkpoint" in capsys.readouterr().err
+
+
+def test_the_command_names_what_is_not_default() -> None:
+    env = EnvConfig("random-3", observation="mask", action="grid", max_pushes=2)
+    config = TrainingConfig("dqn", env, 500, seed=4, agent_config={"net_arch": [8, 8]})
+    assert train_command(config) == (
+        "singulate train --agent dqn --scenario random-3 --steps 500 --seed 4 "
+        "--observation mask --max-pushes 2 --set net_arch=[8,8]"
+    )
