@@ -67,6 +67,10 @@ class Dispatcher(threading.Thread):
             self._serve()
         except Exception as error:  # nobody may wait for results for ever
             reason = f"the engine has failed ({type(error).__name__}: {error})"
+        while not self._requests.empty():
+            request = self._requests.get()
+            if isinstance(request, LocalBatch):
+                request.abandon(reason)
         for batch in self._batches.values():
             batch.abandon(reason)
         for worker in self._workers:

@@ -19,14 +19,14 @@ def test_the_map_is_what_the_environment_pays(
     poses = tuple(standing_pose(block) for block in layout)
     values = compute_reward_map(RewardMapRequest(poses, resolution=10), engine).values
     idle = np.median(values, axis=None)
-    actions = np.flatnonzero(values != idle)[::3]  # actions of the grid are flat map indices
+    actions = np.flatnonzero(values != idle)[::5]  # actions of the grid are flat map indices
     env = gymnasium.make("singulate/Push-v0", scenario=scenario, action="grid")
     for action in actions:
         env.reset(seed=seed)
         _, reward, _, _, info = env.step(int(action))
         assert np.float32(reward) == values.flat[action], (action, info["reward_terms"])
     env.close()
-    assert len(actions) > 50
+    assert len(actions) > 30
 
 
 def test_skipping_idle_pushes_changes_nothing(engine: LocalEngine, pushed_poses: Poses) -> None:
@@ -36,7 +36,7 @@ def test_skipping_idle_pushes_changes_nothing(engine: LocalEngine, pushed_poses:
 
 
 def test_the_number_of_workers_changes_nothing(engine: LocalEngine, pushed_poses: Poses) -> None:
-    request = RewardMapRequest(pushed_poses, resolution=16)
+    request = RewardMapRequest(pushed_poses, resolution=12)
     two = compute_reward_map(request, engine)
     with LocalEngine(num_workers=1) as alone:
         one = compute_reward_map(request, alone)
@@ -53,11 +53,11 @@ def test_a_start_on_a_block_pays_the_penalty(engine: LocalEngine, row_poses: Pos
 def test_fixed_row_has_a_winning_push_that_a_mirror_shows_too(engine: LocalEngine) -> None:
     layout = make_scenario("fixed-2").sample(np.random.default_rng(0), Workspace())
     poses = tuple(standing_pose(block) for block in layout)
-    values = compute_reward_map(RewardMapRequest(poses, resolution=20), engine).values
+    values = compute_reward_map(RewardMapRequest(poses, resolution=16), engine).values
     wins = values > 1000.0
     assert wins[Direction.UP].any()
     assert wins[Direction.DOWN].any()
-    assert not wins[Direction.UP, :5].any()  # above the blocks, pushing away from them
+    assert not wins[Direction.UP, :4].any()  # above the blocks, pushing away from them
 
 
 @pytest.mark.parametrize("reward", sorted(REWARDS))

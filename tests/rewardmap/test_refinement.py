@@ -24,9 +24,9 @@ def test_levels_end_with_the_requested_one(resolution: int, levels: tuple[int, .
 
 
 def test_coarse_comes_first_and_is_refined_in_place(engine: LocalEngine, row_poses: Poses) -> None:
-    maps = list(refine_levels(RewardMapRequest(row_poses, resolution=32), engine))
+    maps = list(refine_levels(RewardMapRequest(row_poses, resolution=20), engine))
     assert [m.resolution for m in maps[:2]] == [8, 16]
-    assert all(m.resolution == 32 for m in maps[2:])
+    assert all(m.resolution == 20 for m in maps[2:])
     assert len(maps) > 3
     assert all(np.isfinite(m.values).all() for m in maps)
     progress = [m.progress for m in maps]
@@ -37,7 +37,7 @@ def test_coarse_comes_first_and_is_refined_in_place(engine: LocalEngine, row_pos
 def test_a_shown_map_is_never_written_again(engine: LocalEngine, row_poses: Poses) -> None:
     seen: list[tuple[RewardMap, bytes]] = []
     compute_reward_map(
-        RewardMapRequest(row_poses, resolution=24),
+        RewardMapRequest(row_poses, resolution=12),
         engine,
         on_progress=lambda m: seen.append((m, m.values.tobytes())),
     )
