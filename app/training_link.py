@@ -98,7 +98,7 @@ class TrainingLink:
         """Have a trainer that was started here save a checkpoint and stop; returns at once."""
         self._commands.put(None)
 
-    def close(self, timeout_s: float = 10.0) -> None:
+    def close(self, timeout_s: float = 5.0) -> None:
         """Wait for the trainer that was asked to stop; a slow one goes on and ends by itself."""
         self.ask_to_stop()
         self._thread.join(timeout_s)

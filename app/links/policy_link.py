@@ -35,6 +35,8 @@ class PolicyLink:
     def __init__(self, notices: NoticeBoard, on_message: Callable[[], None]) -> None:
         self._notices = notices
         self._source = ""
+        self._wants_live = False
+        self._failed = ""
         self._loaded: Loaded | None = None
         self._fields: Fields | None = None
         self._asked: tuple[str, int, frozenset[str]] | None = None
@@ -65,12 +67,13 @@ class PolicyLink:
             source: Checkpoint directory.
             is_live: Whether it is one of a run that is being followed.
         """
-        self.is_live = is_live
-        if source == self._source and self._loaded is not None:
-            self._publish()
-            return
-        self._source = source
-        self._process.send(Load(source))
+        if source == self._source:
+            self._wants_live = is_live
+            if self._loaded is not None and self._loaded.source == source:
+                self._set_live(is_live)
+        elif not (is_live and source == self._failed):
+            self._source, self._wants_live = source, is_live
+            self._process.send(Load(source))
 
     def choose(self, rest: RestState) -> None:
         """Ask for the push that the policy would make."""
@@ -105,11 +108,16 @@ class PolicyLink:
                 if self._loaded is not None and self._loaded.kind != message.kind:
                     self._fields = None
                 self._loaded = message
+                self._failed = ""
+                if message.source == self._source:
+                    self.is_live = self._wants_live
                 self._publish()
             case NotLoaded(source, reason):
                 self._notices.add(f"{reason}. Choose another policy, or train one.")
+                self._failed = source
                 if source == self._source:
                     self._source = self._loaded.source if self._loaded else ""
+                    self._wants_live = self.is_live
             case Fields():
                 self._is_waiting = False
                 self._fields = message
@@ -142,6 +150,11 @@ class PolicyLink:
         )
         if self._is_waiting:
             self._asked = question
+
+    def _set_live(self, is_live: bool) -> None:
+        if is_live != self.is_live:
+            self.is_live = is_live
+            self._publish()
 
     def _publish(self) -> None:
         loaded, fields = self._loaded, self._fields

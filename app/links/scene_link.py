@@ -14,6 +14,8 @@ from app.processes.scene_messages import (
 )
 from app.processes.supervised import SupervisedProcess
 
+_ANSWER_TIMEOUT_S = 15.0
+
 
 class SceneLink:
     """Keeps the scene alive: a killed process comes back with the same table.
@@ -42,6 +44,7 @@ class SceneLink:
             "app.processes.scene_process:run_scene",
             arguments=lambda: (self._start(),),
             on_message=on_message,
+            answer_timeout_s=_ANSWER_TIMEOUT_S,
         )
 
     @property

@@ -6,8 +6,6 @@ import os
 import signal
 import sys
 import traceback
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass
 
 from app.processes.parent_death import die_with_parent
@@ -44,9 +42,7 @@ def run_child(
         os.nice(niceness)
     module_name, _, function_name = target.partition(":")
     try:
-        with _quiet_standard_error():
-            module = importlib.import_module(module_name)
-        getattr(module, function_name)(connection, *arguments)
+        getattr(importlib.import_module(module_name), function_name)(connection, *arguments)
     except (EOFError, BrokenPipeError, ConnectionResetError):
         return
     except Exception as error:
@@ -61,16 +57,3 @@ def _allow_children() -> None:
     # multiprocessing refuses children to daemonic processes, and reward maps need workers.
     config: dict[str, object] = getattr(multiprocessing.current_process(), "_config")  # noqa: B009
     config["daemon"] = False
-
-
-@contextmanager
-def _quiet_standard_error() -> Iterator[None]:
-    # Bullet greets whoever imports it.
-    kept = os.dup(2)
-    with open(os.devnull, "w") as nowhere:
-        os.dup2(nowhere.fileno(), 2)
-    try:
-        yield
-    finally:
-        os.dup2(kept, 2)
-        os.close(kept)

@@ -5,6 +5,7 @@ from collections import deque
 from collections.abc import Callable
 
 from app.processes.child_handle import ChildHandle
+from app.processes.patience import Patience
 
 _FREE_RESTARTS = 3
 _CALM_AFTER_S = 60.0
@@ -23,6 +24,8 @@ class SupervisedProcess:
         arguments: Called at each start, so that a restarted child begins where the last one was.
         niceness: Added to the child's niceness.
         on_message: Called from the reader thread after each message; must return at once.
+        answer_timeout_s: A child that has spoken before, and says nothing for this long after a
+            message to it, is killed; None for one that need not answer.
     """
 
     def __init__(
@@ -32,12 +35,14 @@ class SupervisedProcess:
         arguments: Callable[[], tuple[object, ...]] = tuple,
         niceness: int = 0,
         on_message: Callable[[], None] | None = None,
+        answer_timeout_s: float | None = None,
     ) -> None:
         self.name = name
         self._target = target
         self._arguments = arguments
         self._niceness = niceness
         self._on_message = on_message or (lambda: None)
+        self._patience = Patience(answer_timeout_s)
         self._deaths: deque[float] = deque(maxlen=_FREE_RESTARTS + 1)
         self._restart_at: float | None = None
         self._life = self._start()
@@ -60,11 +65,15 @@ class SupervisedProcess:
         Returns:
             False if it was not sent, because the child is dead or has stopped reading.
         """
+        self._patience.note_question()
         return self._restart_at is None and self._life.send(message)
 
     def receive(self) -> list[object]:
         """Messages that arrived since the last call, oldest first."""
-        return self._life.receive()
+        messages = self._life.receive()
+        if messages:
+            self._patience.note_answer()
+        return messages
 
     def watch(self) -> str | None:
         """Restart a dead child.
@@ -78,9 +87,10 @@ class SupervisedProcess:
                 self._restart_at = None
                 self._life = self._start()
             return None
-        if self._life.process.exitcode is None:
+        is_hung = self._patience.is_over
+        if self._life.process.exitcode is None and not is_hung:
             return None
-        reason = self._life.describe_end()
+        reason = "no longer answered" if is_hung else self._life.describe_end()
         self._life.close(0.0)
         self._deaths.append(now)
         crowded = len(self._deaths) > _FREE_RESTARTS and now - self._deaths[0] < _CALM_AFTER_S
@@ -90,15 +100,12 @@ class SupervisedProcess:
         self._life = self._start()
         return f"{self.name} {reason} and was restarted."
 
-    def kill(self) -> None:
-        """End a child that no longer answers; `watch` then restarts it."""
-        self._life.process.kill()
-
     def close(self, timeout_s: float = 0.3) -> None:
         """End the child for good: close its pipe, then terminate, then kill it."""
         self._life.close(timeout_s)
 
     def _start(self) -> ChildHandle:
+        self._patience.start_over()
         return ChildHandle(
             self._target, self._arguments(), self._niceness, self._on_message, self.name
         )

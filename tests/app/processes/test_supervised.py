@@ -76,6 +76,22 @@ def test_a_child_that_keeps_dying_is_given_a_rest(supervise):
     assert not process.is_running and process.send("go") is False
 
 
+def test_a_child_that_no_longer_answers_is_replaced(supervise):
+    process = supervise("sleep_without_reading", answer_timeout_s=0.3)
+    first = process.pid
+    wait_for(process.receive)
+    assert process.watch() is None
+    time.sleep(0.4)
+    assert process.watch() is None
+    process.send("are you there?")
+    assert wait_for(process.watch) == "The test process no longer answered and was restarted."
+    assert process.pid != first and not psutil.pid_exists(first)
+    process.send("and you?")
+    time.sleep(0.4)
+    process.send("a process that has never spoken may still be starting")
+    assert process.watch() is None
+
+
 def test_niceness_is_set(supervise):
     process = supervise("niceness", niceness=7)
     assert wait_for(process.receive) == [os.nice(0) + 7]
