@@ -9,7 +9,7 @@ def reward_map_line(snapshot: Snapshot) -> str:
     if truth is None:
         return "not computed yet"
     size = f"{truth.resolution} \N{MULTIPLICATION SIGN} {truth.resolution}"
-    progress = "" if truth.progress >= 1.0 else f", {100.0 * truth.progress:.0f} % of the finest"
+    progress = "" if truth.progress >= 1.0 else f" · {100.0 * truth.progress:.0f} % done"
     return size + progress + _staleness(snapshot, truth)
 
 
@@ -18,7 +18,7 @@ def policy_line(snapshot: Snapshot) -> str:
     policy = snapshot.policy
     if policy is None:
         return "no agent loaded"
-    live = ", follows the run" if policy.is_live else ""
+    live = " · follows the run" if policy.is_live else ""
     steps = "" if f"{policy.num_steps:,}" in policy.label else f" after {policy.num_steps:,} pushes"
     return f"{policy.label}{steps}{live}" + _staleness(snapshot, policy)
 

@@ -16,6 +16,8 @@ __all__ = ["block", "dimmed", "escape", "picture", "show", "table", "title"]
 
 BORDER = "var(--mantine-color-default-border)"
 DIM = "var(--mantine-color-dimmed)"
+LONGEST_NOTE = 30
+"""Characters of a note that fit beside a heading; longer ones go below it."""
 
 
 def block(*parts: str) -> str:
@@ -28,6 +30,8 @@ def block(*parts: str) -> str:
 
 def title(text: str, note: str = "") -> str:
     """A quiet heading inside a panel, with a dimmed note at its right; both are escaped."""
+    if len(note) > LONGEST_NOTE:
+        return title(text) + dimmed(note)
     return (
         '<div style="display:flex;justify-content:space-between;align-items:baseline;gap:8px;'
         f'padding:2px 0 4px 0"><span style="font-weight:500">{escape(text)}</span>'

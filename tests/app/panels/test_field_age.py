@@ -5,7 +5,7 @@ from app.panels.field_age import policy_line, reward_map_line
 
 def test_the_reward_map_tells_its_resolution_and_progress(make_snapshot):
     snapshot = make_snapshot()
-    assert reward_map_line(snapshot) == "32 \N{MULTIPLICATION SIGN} 32, 25 % of the finest"
+    assert reward_map_line(snapshot) == "32 \N{MULTIPLICATION SIGN} 32 · 25 % done"
     done = replace(snapshot, reward_map=replace(snapshot.reward_map, progress=1.0))
     assert reward_map_line(done) == "32 \N{MULTIPLICATION SIGN} 32"
     assert reward_map_line(replace(snapshot, reward_map=None)) == "not computed yet"

@@ -18,7 +18,7 @@ def test_truth_belief_and_inputs_are_drawn(context, make_snapshot):
     assert panel.q.content.count("<img") == 4
     assert panel.inputs.content.count("<img") == 4
     assert "True reward, best direction" in panel.legend.content
-    assert "25 % of the finest" in panel.legend.content
+    assert "25 % done" in panel.legend.content
 
 
 def test_nothing_is_drawn_again_without_a_change(context, make_snapshot):

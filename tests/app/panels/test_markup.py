@@ -8,6 +8,11 @@ def test_texts_are_escaped():
         assert "&lt;" in html and "<a>" not in html and "<b>" not in html and "<c>" not in html
 
 
+def test_a_long_note_goes_below_its_heading():
+    assert "flex" in title("Q", "short")
+    assert title("Q", "x" * 60) == title("Q") + dimmed("x" * 60)
+
+
 def test_alternative_texts_cannot_leave_their_attribute():
     html = picture(np.zeros((2, 2, 4), np.uint8), 'x" onload="alert(1)')
     assert 'onload="' not in html
