@@ -52,6 +52,7 @@ NODE = """(name) => {
 RECORD_PUSHER = """() => {
     const track = window.__track = [];
     const look = () => {
+        if (track !== window.__track) return;
         const pusher = window.__viserMutable?.nodeRefFromName?.["/pusher"];
         if (pusher?.visible) track.push(pusher.position.toArray());
         requestAnimationFrame(look);
@@ -73,6 +74,7 @@ class LabPage:
     """One browser window on the laboratory, in the words of the person who uses it."""
 
     def __init__(self, context: BrowserContext, url: str) -> None:
+        self._context = context
         self.page: Page = context.new_page()
         self.url = url
         self.errors: list[str] = []
@@ -84,6 +86,9 @@ class LabPage:
         self.page.goto(self.url)
         self.wait_ready()
         return self
+
+    def close(self) -> None:
+        self._context.close()
 
     def reload(self) -> None:
         self.page.reload()
@@ -105,6 +110,18 @@ class LabPage:
         assert node is not None, f"there is no {name}"
         x, y, z = node["position"]
         return x, y, z
+
+    @property
+    def is_pushing(self) -> bool:
+        """Whether the pusher is drawn."""
+        return bool((self.node("/pusher") or {}).get("visible"))
+
+    @property
+    def camera(self) -> list[float]:
+        place: list[float] = self.page.evaluate(
+            "() => window.__viserMutable.camera.position.toArray()"
+        )
+        return place
 
     def on_screen(self, x: float, y: float, z: float = 0.0) -> tuple[float, float]:
         px, py = self.page.evaluate(PROJECT, [x, y, z])
@@ -224,7 +241,7 @@ def open_page(browser: Browser, app_url: str) -> Iterator[Callable[[], LabPage]]
 
     yield open_one
     for context in contexts:
-        context.close()
+        context.close()  # closing twice does no harm
 
 
 @pytest.fixture(scope="session")
@@ -235,8 +252,7 @@ def shared_page(open_page: Callable[[], LabPage]) -> LabPage:
 @pytest.fixture
 def page(shared_page: LabPage) -> Iterator[LabPage]:
     """The first visitor's window with the first scene at rest; it must stay free of errors."""
-    shared_page.wait(lambda: not (shared_page.node("/pusher") or {}).get("visible"))
+    shared_page.wait(lambda: not shared_page.is_pushing)
     shared_page.press("r")
-    shared_page.press("1")
     yield shared_page
     assert shared_page.errors == []

@@ -31,3 +31,4 @@ def test_button_and_key_agree_in_every_window(page: Any, open_page: Callable[[],
     other.press("t")
     page.wait(lambda: page.button("Resume").count(), 60)
     assert other.errors == []
+    other.close()
