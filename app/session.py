@@ -9,10 +9,9 @@ from app.commands import Command, PushNow
 from app.page import ClientPage
 from app.pointer import Point, Pointer, PointerActions
 from app.snapshot import SceneSnapshot, Snapshot
-from app.views.arrows import aim_arrow, ghost_arrow
+from app.views.arrows import AimView, GhostView
 from app.views.camera import CameraView
 from app.views.field import FieldView
-from app.views.palette import surface
 from app.views.pusher import PusherNameView
 from app.views.table import TableView
 from singulate.geometry import Push, Workspace
@@ -43,10 +42,9 @@ class ClientSession:
         self._start: Point | None = None
         self._table = TableView(client.scene, workspace)
         self._field = FieldView(client.scene, workspace)
-        self._aim_arrow = aim_arrow(client.scene)
-        self._ghost = ghost_arrow(client.scene)
+        self._aim_view = AimView(client, workspace)
+        self._ghost = GhostView(client, workspace)
         self._pusher_name = PusherNameView(client.scene)
-        self._is_dark = False
         actions = PointerActions(self._click, self._take_aim, self._release)
         self._pointer = Pointer(client, self._table.top, workspace, actions)
         self._camera = CameraView(client, workspace)
@@ -62,13 +60,13 @@ class ClientSession:
         """Show a snapshot."""
         self._camera.update()
         self.page.update(snapshot)
-        self._follow_theme(self.page.is_dark)
+        is_dark = self.page.is_dark
+        self._table.update(is_dark)
         self._field.update(self.page.draped)
         scene = snapshot.scene
-        is_pushing = scene is not None and scene.is_pushing
-        self._aim_arrow.update(None if is_pushing else self.aim.push(self._workspace))
+        self._aim_view.update(self.aim, is_shown=scene is not None and not scene.is_pushing)
         if scene is not None:
-            self._ghost.update(_ghost(scene))
+            self._ghost.update(_ghost(scene), is_dark)
             is_other = scene.is_pushing and scene.pushed_by != self.name
             self._pusher_name.update(scene.pushed_by if is_other else "", scene.pusher)
 
@@ -95,13 +93,6 @@ class ClientSession:
         push = aim.push(self._workspace)
         if push is not None:
             self._submit(PushNow(push, by=self.name))
-
-    def _follow_theme(self, is_dark: bool) -> None:
-        if is_dark == self._is_dark:
-            return
-        self._is_dark = is_dark
-        self._table.update(is_dark)
-        self._ghost.paint(surface(is_dark).ghost)
 
 
 def _ghost(scene: SceneSnapshot) -> Push | None:

@@ -6,11 +6,16 @@ import numpy as np
 import numpy.typing as npt
 import viser
 
+from app.aim import Aim
+from app.views.hover import follow_pointer
 from app.views.palette import AIM_COLOUR, Colour, surface
-from singulate.geometry import Push
+from singulate.geometry import Push, Workspace
 
-_HEIGHT = 0.012
+_AIM_HEIGHT = 0.012
 _GHOST_HEIGHT = 0.008
+_AIM_NODE = "/aim"
+_OUT_OF_SIGHT = (0.0, 0.0, -5.0)
+"""Where an arrow waits until it is placed: behind the table, from wherever the table is seen."""
 
 
 class ArrowView:
@@ -22,22 +27,32 @@ class ArrowView:
         colour: Its colour.
         thickness: Radius of its shaft [m].
         height: How far above the table it lies [m].
+        length: From tail to tip [m].
     """
 
     def __init__(
-        self, scene: viser.SceneApi, name: str, colour: Colour, thickness: float, height: float
+        self,
+        scene: viser.SceneApi,
+        name: str,
+        colour: Colour,
+        *,
+        thickness: float,
+        height: float,
+        length: float,
     ) -> None:
         self._height = height
-        self._length = 0.5
-        self._shown: Push | None = None
+        self._length = length
+        self._start: tuple[float, float] | None = None
+        self._yaw = 0.0
         self._arrow = scene.add_arrows(
             name,
-            _along_x(self._length),
+            _along_x(length),
             colour,
             shaft_radius=thickness,
             head_radius=3.2 * thickness,
             head_length=7.0 * thickness,
             scale=(1.0, 1.0, 0.15),
+            position=_OUT_OF_SIGHT,
             visible=False,
         )
 
@@ -45,33 +60,82 @@ class ArrowView:
         """Change its colour."""
         self._arrow.colors = np.array(colour, dtype=np.uint8)
 
-    def update(self, push: Push | None) -> None:
-        """Lie along a push; None, or a push of no length, hides the arrow."""
-        if push == self._shown:
-            return
-        self._shown = push
-        is_visible = push is not None and push.length > 0.0
-        if push is not None and is_visible:
-            self._lie_along(push)
+    def place(self, start: tuple[float, float]) -> None:
+        """Put its tail at a place (x, y) [m]."""
+        if start != self._start:
+            self._start = start
+            self._arrow.position = (*start, self._height)
+
+    def turn(self, direction: tuple[float, float]) -> None:
+        """Point along a unit vector (x, y)."""
+        yaw = math.atan2(direction[1], direction[0])
+        if yaw != self._yaw:
+            self._yaw = yaw
+            self._arrow.wxyz = (math.cos(yaw / 2), 0.0, 0.0, math.sin(yaw / 2))
+
+    def stretch(self, length: float) -> None:
+        """Reach this far [m]."""
+        if length != self._length:
+            self._length = length
+            self._arrow.points = _along_x(length)
+
+    def show(self, is_visible: bool) -> None:
+        """Show or hide it."""
         if self._arrow.visible != is_visible:
             self._arrow.visible = is_visible
 
-    def _lie_along(self, push: Push) -> None:
-        self._arrow.position = (*push.start, self._height)
-        self._arrow.wxyz = (math.cos(push.yaw / 2), 0.0, 0.0, math.sin(push.yaw / 2))
-        if push.length != self._length:
-            self._length = push.length
-            self._arrow.points = _along_x(push.length)
+
+class AimView:
+    """The arrow of the push that one person aims at; it follows their pointer.
+
+    Args:
+        client: The browser.
+        workspace: Where it follows the pointer, and how far a push goes.
+    """
+
+    def __init__(self, client: viser.ClientHandle, workspace: Workspace) -> None:
+        self._arrow = ArrowView(
+            client.scene,
+            _AIM_NODE,
+            AIM_COLOUR,
+            thickness=0.012,
+            height=_AIM_HEIGHT,
+            length=workspace.push_length,
+        )
+        follow_pointer(client, _AIM_NODE, workspace.half_length, _AIM_HEIGHT)
+
+    def update(self, aim: Aim, is_shown: bool) -> None:
+        """Point in the aimed direction, from the aimed start until the pointer moves on."""
+        if aim.start is not None:
+            self._arrow.place(aim.start)
+        self._arrow.turn(aim.direction.vector)
+        self._arrow.show(is_shown)
 
 
-def aim_arrow(scene: viser.SceneApi) -> ArrowView:
-    """The arrow of the push that a person aims at."""
-    return ArrowView(scene, "/aim", AIM_COLOUR, 0.012, _HEIGHT)
+class GhostView:
+    """The arrow that the last push leaves behind, in one browser's theme."""
 
+    def __init__(self, client: viser.ClientHandle, workspace: Workspace) -> None:
+        self._is_dark = False
+        self._arrow = ArrowView(
+            client.scene,
+            "/ghost",
+            surface(False).ghost,
+            thickness=0.007,
+            height=_GHOST_HEIGHT,
+            length=workspace.push_length,
+        )
 
-def ghost_arrow(scene: viser.SceneApi) -> ArrowView:
-    """The arrow that the last push leaves behind."""
-    return ArrowView(scene, "/ghost", surface(False).ghost, 0.007, _GHOST_HEIGHT)
+    def update(self, push: Push | None, is_dark: bool) -> None:
+        """Lie along a push; None, or a push of no length, hides the arrow."""
+        if push is not None and push.length > 0.0:
+            self._arrow.place(push.start)
+            self._arrow.turn(push.direction)
+            self._arrow.stretch(push.length)
+        self._arrow.show(push is not None and push.length > 0.0)
+        if is_dark != self._is_dark:
+            self._is_dark = is_dark
+            self._arrow.paint(surface(is_dark).ghost)
 
 
 def _along_x(length: float) -> npt.NDArray[np.float32]:

@@ -114,7 +114,11 @@ class LabPage:
     @property
     def is_pushing(self) -> bool:
         """Whether the pusher is drawn."""
-        return bool((self.node("/pusher") or {}).get("visible"))
+        return self.is_visible("/pusher")
+
+    def is_visible(self, name: str) -> bool:
+        """Whether a node is drawn; viser takes some hidden ones down altogether."""
+        return bool((self.node(name) or {}).get("visible"))
 
     @property
     def camera(self) -> list[float]:

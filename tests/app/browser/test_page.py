@@ -153,10 +153,11 @@ def test_two_browsers_see_one_table(page: Any, open_page: Callable[[], Any]) -> 
     page.press("Space")
     page.press("2")
     page.click_table(-0.7, 0.3)
+    page.press("n")
     for window in (page, other):
         window.wait(lambda window=window: window.is_pushing)
-    other.wait(lambda: other.node("/pusher_name")["visible"])
-    assert page.node("/pusher_name")["visible"] is False
+    other.wait(lambda: other.is_visible("/pusher_name"))
+    assert not page.is_visible("/pusher_name")
     assert page.position("/pusher") == pytest.approx(other.position("/pusher"), abs=1e-6)
     other.press("Space")
     for window in (page, other):

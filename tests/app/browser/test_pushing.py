@@ -76,3 +76,18 @@ def test_undo_brings_the_blocks_back(page: Any) -> None:
     page.wait(lambda: not page.is_pushing)
     page.press("z")
     page.wait(lambda: page.position("/blocks/0") == pytest.approx(before, abs=1e-4))
+
+
+def test_the_aim_arrow_follows_the_pointer_and_keeps_its_place_when_turned(page: Any) -> None:
+    page.press("1")
+    for place in ((0.2, 0.6), (-0.6, -0.4)):
+        page.page.mouse.move(*page.on_screen(*place))
+        page.wait(lambda place=place: page.position("/aim")[:2] == pytest.approx(place, abs=0.02))
+    before = page.node("/aim")
+    assert before["visible"] is True
+    page.press("2")
+    page.wait(lambda: page.node("/aim")["quaternion"] != pytest.approx(before["quaternion"]))
+    assert page.position("/aim") == tuple(before["position"])
+    page.page.mouse.move(5, 5)
+    page.page.wait_for_timeout(200)
+    assert page.position("/aim") == tuple(before["position"])
