@@ -13,6 +13,7 @@ from rich.table import Table
 from singulate.agents.policy import Policy
 from singulate.agents.random_policy import RandomPolicy
 from singulate.cli.progress import CountBar
+from singulate.cli.publishing import publish, run_config
 from singulate.envs import EnvConfig
 
 if TYPE_CHECKING:
@@ -38,6 +39,9 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument("--reward", help="(the one it was trained on)")
     parser.add_argument("--max-pushes", type=int, help="pushes an episode may take")
     parser.add_argument("--goal-separation", type=float, metavar="M", help="d_goal of Eq. 2 [m]")
+    parser.add_argument(
+        "--sample", action="store_true", help="explore as in training instead of being greedy"
+    )
     parser.add_argument("--workers", type=int, help="worker processes (one a core)")
     parser.add_argument(
         "--publish",
@@ -50,17 +54,19 @@ def add_parser(subparsers: "Subparsers") -> None:
 
 
 def _run(args: argparse.Namespace) -> int:
-    from singulate.cli.publishing import publish
-    from singulate.evaluation import evaluate
-
     policy, source, env_config = _load(args.checkpoint)
     changes = {name: getattr(args, name) for name in ENV_OPTIONS}
     env_config = replace(env_config, **{k: v for k, v in changes.items() if v is not None})
-    workers = (os.cpu_count() or 1) if args.workers is None else args.workers
-    with CountBar("Evaluating", args.episodes) as bar:
-        evaluation = evaluate(
-            policy, env_config, args.episodes, args.seed, workers=workers, on_progress=bar.set
-        )
+    if args.publish is not None:
+        run_config(Path(source))
+    evaluation = _evaluate(args, policy, env_config, args.sample)
+    if args.publish is not None:
+        measured = {
+            "greedy": _evaluate(args, policy, env_config, False) if args.sample else evaluation,
+            "exploring as in training": _evaluate(args, policy, env_config, True),
+            "random pushes": _evaluate(args, RandomPolicy(), env_config, False),
+        }
+        publish(Path(source), args.publish, measured, args.seed)
     about = {
         "checkpoint": source,
         "agent": policy.kind,
@@ -68,24 +74,32 @@ def _run(args: argparse.Namespace) -> int:
         "reward": env_config.reward,
         "goal_separation": env_config.goal_separation,
         "max_pushes": env_config.push_limit,
+        "is_sampled": args.sample,
         "seed": args.seed,
     }
-    if args.publish is not None:
-        with CountBar("Random policy", args.episodes) as bar:
-            baseline = evaluate(
-                RandomPolicy(),
-                env_config,
-                args.episodes,
-                args.seed,
-                workers=workers,
-                on_progress=bar.set,
-            )
-        publish(Path(source), args.publish, evaluation, baseline, args.seed)
     if args.json:
         print(json.dumps({**about, **evaluation.to_dict()}))
     else:
         _print_text(about, evaluation)
     return 0
+
+
+def _evaluate(
+    args: argparse.Namespace, policy: Policy, env_config: EnvConfig, sample: bool
+) -> "Evaluation":
+    from singulate.evaluation import evaluate
+
+    workers = (os.cpu_count() or 1) if args.workers is None else args.workers
+    with CountBar(f"Evaluating {policy.kind}", args.episodes) as bar:
+        return evaluate(
+            policy,
+            env_config,
+            args.episodes,
+            args.seed,
+            sample=sample,
+            workers=workers,
+            on_progress=bar.set,
+        )
 
 
 def _load(name: str) -> tuple[Policy, str, EnvConfig]:

@@ -1,16 +1,19 @@
 """Makes a small checkpoint to give away out of a run: weights, manifest and a README."""
 
+from collections.abc import Mapping
 from dataclasses import fields, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 from singulate.agents.registry import agent_kind
 from singulate.checkpoints import read_checkpoint, save_checkpoint
 from singulate.envs import EnvConfig
-from singulate.evaluation import Evaluation
 from singulate.exceptions import CheckpointError, RunError
 from singulate.runs import RunDirectory
 from singulate.training.config import TrainingConfig
+
+if TYPE_CHECKING:
+    from singulate.evaluation import Evaluation
 
 README = """# {name}
 
@@ -18,8 +21,7 @@ A {agent} for `{scenario}`, {steps:,} pushes of training.
 
 | on {episodes:,} unseen scenes | success | 95 % interval | mean reward | failures |
 |---|---|---|---|---|
-| **this checkpoint** | {agent_row} |
-| random pushes | {random_row} |
+{rows}
 
 Trained with
 
@@ -34,17 +36,14 @@ train anew with the command above.
 """
 
 
-def publish(
-    source: Path, directory: Path, evaluation: Evaluation, baseline: Evaluation, seed: int
-) -> Path:
+def publish(source: Path, directory: Path, measured: Mapping[str, "Evaluation"], seed: int) -> Path:
     """Copy a run's checkpoint without its training state, with a README of what was measured.
 
     Args:
         source: A checkpoint in a run's ``checkpoints`` directory.
         directory: Where the copy goes; an earlier copy is replaced.
-        evaluation: How it did on its own task.
-        baseline: How the random policy did on the same scenes.
-        seed: Seed of both evaluations.
+        measured: How it did on its own task in different ways, and how others did, by name.
+        seed: Seed of all evaluations.
 
     Returns:
         `directory`.
@@ -52,21 +51,30 @@ def publish(
     Raises:
         CheckpointError: If the source is not part of a run, or the copy cannot be written.
     """
-    try:
-        run_config = RunDirectory(source.resolve().parent.parent).open().read_config()
-    except RunError as error:
-        raise CheckpointError(f"{source}: only a run's checkpoint can be published") from error
-    config = TrainingConfig.from_dict(run_config)
+    config = run_config(source)
     checkpoint = read_checkpoint(source, with_files=False)
     notes = {
         "seed": config.seed,
         "command": train_command(config),
-        "evaluation": {"seed": seed, **evaluation.to_dict()},
-        "random_policy": {"seed": seed, **baseline.to_dict()},
+        "evaluation_seed": seed,
+        "measured": {name: evaluation.to_dict() for name, evaluation in measured.items()},
     }
-    readme = _readme(directory.name, config, checkpoint.manifest.step, notes, evaluation, baseline)
+    readme = _readme(directory.name, config, checkpoint.manifest.step, measured, seed)
     manifest = replace(checkpoint.manifest, notes=notes)
     return save_checkpoint(directory, checkpoint.tensors, manifest, {"README.md": readme.encode()})
+
+
+def run_config(source: Path) -> TrainingConfig:
+    """Settings of the run that a checkpoint is part of.
+
+    Raises:
+        CheckpointError: If it is not part of a run.
+    """
+    try:
+        values = RunDirectory(source.resolve().parent.parent).open().read_config()
+    except RunError as error:
+        raise CheckpointError(f"{source}: only a run's checkpoint can be published") from error
+    return TrainingConfig.from_dict(values)
 
 
 def train_command(config: TrainingConfig) -> str:
@@ -86,14 +94,9 @@ def train_command(config: TrainingConfig) -> str:
 
 
 def _readme(
-    name: str,
-    config: TrainingConfig,
-    steps: int,
-    notes: dict[str, Any],
-    evaluation: Evaluation,
-    baseline: Evaluation,
+    name: str, config: TrainingConfig, steps: int, measured: Mapping[str, "Evaluation"], seed: int
 ) -> str:
-    episodes, seed = evaluation.num_episodes, notes["evaluation"]["seed"]
+    episodes = next(iter(measured.values())).num_episodes
     max_pushes = config.env.push_limit
     return README.format(
         name=name,
@@ -101,9 +104,8 @@ def _readme(
         scenario=config.env.scenario,
         steps=steps,
         episodes=episodes,
-        agent_row=_row(evaluation),
-        random_row=_row(baseline),
-        train_command=notes["command"],
+        rows="\n".join(_row(label, evaluation) for label, evaluation in measured.items()),
+        train_command=train_command(config),
         goal=config.env.goal_separation,
         max_pushes=max_pushes,
         plural="" if max_pushes == 1 else "es",
@@ -112,10 +114,10 @@ def _readme(
     )
 
 
-def _row(evaluation: Evaluation) -> str:
+def _row(label: str, evaluation: "Evaluation") -> str:
     low, high = evaluation.success_interval
     failures = ", ".join(f"{kind} {count}" for kind, count in evaluation.failures.items())
     return (
-        f"{evaluation.success_rate:.1%} | {low:.1%} to {high:.1%} | "
-        f"{evaluation.mean_reward:.0f} | {failures or 'none'}"
+        f"| {label} | {evaluation.success_rate:.1%} | {low:.1%} to {high:.1%} | "
+        f"{evaluation.mean_reward:.0f} | {failures or 'none'} |"
     )

@@ -20,6 +20,7 @@ def evaluate(
     episodes: int,
     seed: int = 0,
     *,
+    sample: bool = False,
     workers: int = 1,
     on_progress: Callable[[int], None] | None = None,
 ) -> Evaluation:
@@ -28,10 +29,11 @@ def evaluate(
     The result does not depend on the number of workers.
 
     Args:
-        policy: What to evaluate; greedy where it can be.
+        policy: What to evaluate.
         env_config: The task.
         episodes: Number of episodes.
         seed: Seed of the evaluation.
+        sample: Whether the policy explores as in training; greedy otherwise, where it can be.
         workers: Processes; with 1, everything happens in this one.
         on_progress: Called with the number of finished episodes now and then.
 
@@ -46,7 +48,7 @@ def evaluate(
         EpisodeSpan(seed, first, min(SPAN, episodes - first)) for first in range(0, episodes, SPAN)
     ]
     results: list[EpisodeResult] = []
-    for part in _play(functools.partial(Evaluator, policy, env_config), spans, workers):
+    for part in _play(functools.partial(Evaluator, policy, env_config, sample), spans, workers):
         results += part
         if on_progress is not None:
             on_progress(len(results))

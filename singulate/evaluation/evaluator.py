@@ -50,10 +50,12 @@ class Evaluator:
         policy: What to try.
         env_config: The task; the policy chooses pushes, so its ``action`` has no effect, and the
             policy's own observation is used.
+        sample: Whether the policy explores as in training instead of being greedy.
     """
 
-    def __init__(self, policy: Policy, env_config: EnvConfig) -> None:
+    def __init__(self, policy: Policy, env_config: EnvConfig, sample: bool = False) -> None:
         self._policy = policy
+        self._needs_rng = sample or policy.is_random
         self._env = PushEnv(None, **env_config.to_dict())
         self._observation = make_observation(policy.observation, self._env.task.workspace)
         self._reward = make_reward(env_config.reward)
@@ -65,7 +67,7 @@ class Evaluator:
         """
         scene = scene_seed("evaluation", seed, index)
         self._env.reset(seed=scene)
-        rng = np.random.default_rng([scene, 1]) if self._policy.is_random else None
+        rng = np.random.default_rng([scene, 1]) if self._needs_rng else None
         total, terms = 0.0, dict.fromkeys(TERMS, 0.0)
         num_pushes, is_success, is_over, kind = 0, False, False, SIMULATION_ERROR
         while not is_over and num_pushes < self._env.config.push_limit:

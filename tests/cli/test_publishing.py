@@ -23,7 +23,7 @@ def test_a_published_checkpoint_is_small_and_says_what_was_measured(
     measured = json.loads(capsys.readouterr().out)
     manifest = verify_checkpoint(published)
     assert list(manifest.files) == ["weights.safetensors"]
-    assert manifest.notes["evaluation"]["success_rate"] == measured["success_rate"]
+    assert manifest.notes["measured"]["greedy"]["success_rate"] == measured["success_rate"]
     readme = (published / "README.md").read_text()
     assert str(manifest.notes["command"]) in readme
     assert "random pushes" in readme

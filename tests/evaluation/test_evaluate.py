@@ -68,6 +68,18 @@ def test_warm_up_weights_do_not_count() -> None:
     assert evaluate(OnePush(FAR_AWAY), schedule, 1).mean_reward == 0.0
 
 
+def test_a_sampled_policy_explores_the_same_way_each_time() -> None:
+    class Sometimes(OnePush):
+        def act(self, observation: FloatMap, rng: np.random.Generator | None = None) -> Push:
+            return INSIDE if rng is not None and rng.random() < 0.5 else FAR_AWAY
+
+    policy = Sometimes(FAR_AWAY)
+    assert evaluate(policy, FIXED, 20).failures == {"empty": 20}
+    sampled = evaluate(policy, FIXED, 20, sample=True)
+    assert set(sampled.failures) == {"empty", "inside"}
+    assert sampled == evaluate(policy, FIXED, 20, sample=True)
+
+
 @pytest.mark.parametrize(("episodes", "seed", "workers"), [(0, 0, 1), (1, -1, 1), (1, 0, 0)])
 def test_bad_numbers_are_refused(episodes: int, seed: int, workers: int) -> None:
     with pytest.raises(InvalidValueError):
