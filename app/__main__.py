@@ -3,6 +3,7 @@
 import signal
 import sys
 import threading
+import warnings
 import webbrowser
 from collections.abc import Sequence
 
@@ -39,6 +40,8 @@ def serve(options: Options) -> None:
     policy = AccessPolicy(options.host, port, options.token)
     laboratory = Laboratory(scenario=options.scenario, seed=options.seed, run_dir=options.run)
     stop = threading.Event()
+    # A browser that leaves while its page is drawn is no news.
+    warnings.filterwarnings("ignore", message="Queued a .* on a closed connection")
     try:
         server = open_server(listener, policy)
         dashboard = Dashboard(server, laboratory)

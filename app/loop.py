@@ -83,14 +83,8 @@ class Dashboard:
             with session.client.atomic():
                 session.update(snapshot)
         except Exception:
-            _log.exception("the page of %s failed and is no longer updated", session.name)
-            session.client.add_notification(
-                "This page has failed",
-                "Reload it to go on. The laboratory and its training are not affected; the "
-                "terminal shows what happened.",
-                color="red",
-            )
             self._sessions.pop(client_id, None)
+            _report_failure(session.client, session.name)
 
     def _arrive(self, client: viser.ClientHandle) -> None:
         self._arrivals.put(client)
@@ -103,10 +97,24 @@ class Dashboard:
             client = self._arrivals.get()
             self._num_visitors += 1
             name = f"visitor {self._num_visitors}"
-            self._sessions[client.client_id] = ClientSession(
-                client, name, self._laboratory.submit, self._workspace
-            )
+            try:
+                self._sessions[client.client_id] = ClientSession(
+                    client, name, self._laboratory.submit, self._workspace
+                )
+            except Exception:
+                _report_failure(client, name)
         while not self._departures.empty():
             session = self._sessions.pop(self._departures.get(), None)
             if session is not None:
                 session.close()
+
+
+def _report_failure(client: viser.ClientHandle, name: str) -> None:
+    """One page has failed: say so there, and go on drawing the others."""
+    _log.exception("the page of %s failed and is no longer updated", name)
+    client.add_notification(
+        "This page has failed",
+        "Reload it to go on. The laboratory and its training are not affected; the terminal shows "
+        "what happened.",
+        color="red",
+    )

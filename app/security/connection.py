@@ -12,6 +12,9 @@ from app.security.messages import FindInput, is_acceptable
 SEND_TIMEOUT_S = 30.0
 """A browser that takes nothing for this long [s] is dropped: it opens the page anew by itself."""
 
+MAX_REPORTED = 10
+"""Messages that a browser may have dropped before the log says no more about it."""
+
 _log = logging.getLogger(__name__)
 
 
@@ -26,6 +29,7 @@ class GuardedConnection:
     def __init__(self, connection: ServerConnection, find_input: FindInput) -> None:
         self._connection = connection
         self._find_input = find_input
+        self._num_dropped = 0
 
     @property
     def subprotocol(self) -> str | None:
@@ -39,7 +43,9 @@ class GuardedConnection:
             if is_acceptable(raw, self._find_input):
                 assert isinstance(raw, bytes)
                 return raw
-            _log.warning("dropped a message of %d bytes from a browser", len(raw))
+            self._num_dropped += 1
+            if self._num_dropped <= MAX_REPORTED:
+                _log.warning("dropped a message of %d bytes from a browser", len(raw))
 
     async def send(self, data: bytes) -> None:
         """Send, or drop a browser that has stopped reading."""
