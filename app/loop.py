@@ -11,6 +11,7 @@ from app.laboratory import Laboratory
 from app.session import ClientSession
 from app.snapshot import Snapshot
 from app.views.blocks import BlocksView
+from app.views.camera import set_initial_camera
 from app.views.light import add_lights
 from app.views.pusher import PusherView
 from singulate.geometry import Workspace
@@ -46,6 +47,7 @@ class Dashboard:
         self._departures: queue.SimpleQueue[int] = queue.SimpleQueue()
         self._sessions: dict[int, ClientSession] = {}
         self._num_visitors = 0
+        set_initial_camera(server, self._workspace)
         add_lights(server.scene)
         self._blocks = BlocksView(server.scene, self._workspace)
         self._pusher = PusherView(server.scene)

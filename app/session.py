@@ -48,8 +48,8 @@ class ClientSession:
         actions = PointerActions(self._click, self._take_aim, self._release)
         self._pointer = Pointer(client, self._table.top, workspace, actions)
         self._camera = CameraView(client, workspace)
-        top = client.gui.add_command("View from the top", hotkey="C")
-        top.on_trigger(lambda _: self._camera.look_from_top())
+        top = client.gui.add_command("View from the top, and back", hotkey="C")
+        top.on_trigger(lambda _: self._camera.switch())
 
     @property
     def aim(self) -> Aim:

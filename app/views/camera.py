@@ -16,6 +16,8 @@ TILT = math.radians(20.0)
 """Angle between the initial view and straight down."""
 FILL = 0.97
 """Share of the picture that the table may take."""
+_USUAL_ASPECT = 0.9
+"""Of the picture between the panels of a laptop."""
 _ALMOST_STRAIGHT_DOWN = math.radians(0.1)
 """viser's orbit needs a little tilt to know which side is up."""
 
@@ -39,6 +41,15 @@ def top_view(workspace: Workspace, aspect: float) -> CameraPose:
     return _fit(workspace, aspect, _ALMOST_STRAIGHT_DOWN)
 
 
+def set_initial_camera(server: viser.ViserServer, workspace: Workspace) -> None:
+    """Let pages open with the table in view, before anything is known about their picture."""
+    pose = tilted_view(workspace, _USUAL_ASPECT)
+    camera = server.initial_camera
+    camera.fov = FIELD_OF_VIEW
+    camera.position = np.array(pose.position)
+    camera.look_at = np.array(pose.look_at)
+
+
 class CameraView:
     """Keeps the whole table in one browser's picture until its owner moves the camera.
 
@@ -59,9 +70,10 @@ class CameraView:
         if aspect != self._aspect and (self._pose is None or self._is_at(self._pose)):
             self._show(aspect)
 
-    def look_from_top(self) -> None:
-        """Take the view from straight above."""
-        self._view = top_view
+    def switch(self) -> None:
+        """Take the view from straight above; from there, go back to the tilted one."""
+        is_on_top = self._view is top_view and self._pose is not None and self._is_at(self._pose)
+        self._view = tilted_view if is_on_top else top_view
         self._show(_aspect(self._client))
 
     def _show(self, aspect: float) -> None:

@@ -49,6 +49,11 @@ NODE = """(name) => {
     };
 }"""
 
+IS_VISIBLE = """(name) => {
+    const node = window.__viserSceneTree?.getState()[name];
+    return node !== undefined && (node.overrideVisibility ?? node.visibility ?? true);
+}"""
+
 RECORD_PUSHER = """() => {
     const track = window.__track = [];
     const look = () => {
@@ -66,7 +71,7 @@ IS_STEADY = """() => {
     const now = JSON.stringify([m.camera.position.toArray(), m.camera.aspect]);
     const before = window.__before;
     window.__before = now;
-    return now === before && m.camera.fov < 40;
+    return now === before && m.canvas.getBoundingClientRect().width < 680;
 }"""
 
 
@@ -117,8 +122,8 @@ class LabPage:
         return self.is_visible("/pusher")
 
     def is_visible(self, name: str) -> bool:
-        """Whether a node is drawn; viser takes some hidden ones down altogether."""
-        return bool((self.node(name) or {}).get("visible"))
+        """Whether a node is drawn."""
+        return bool(self.page.evaluate(IS_VISIBLE, name))
 
     @property
     def camera(self) -> list[float]:
