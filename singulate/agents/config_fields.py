@@ -56,18 +56,3 @@ def check_bool(key: str, value: object) -> None:
     """Raise InvalidValueError unless `value` is true or false."""
     if not isinstance(value, bool):
         raise InvalidValueError(key, value, "true or false")
-
-
-def check_net_arch(key: str, value: object) -> tuple[int, ...]:
-    """Widths of the hidden layers as a tuple.
-
-    Raises:
-        InvalidValueError: Unless `value` is a sequence of 1 to 16 widths.
-    """
-    allowed = "1 to 16 layer widths from 1 to 4096"
-    if not isinstance(value, list | tuple) or not 1 <= len(value) <= 16:
-        raise InvalidValueError(key, value, allowed)
-    for width in value:
-        if isinstance(width, bool) or not isinstance(width, int) or not 1 <= width <= 4096:
-            raise InvalidValueError(key, value, allowed)
-    return tuple(value)

@@ -5,12 +5,10 @@ from dataclasses import dataclass
 from singulate.agents.config_fields import (
     check_bool,
     check_int,
-    check_net_arch,
     check_number,
     check_positive,
 )
-
-PAPER_NET_ARCH = (128, 64, 64, 32, 16)
+from singulate.agents.net_arch import PAPER_NET_ARCH, check_net_arch
 
 
 @dataclass(frozen=True)

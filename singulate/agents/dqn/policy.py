@@ -20,7 +20,6 @@ class GridPolicy:
 
     Attributes:
         network: The Q network; (batch, H, W) to (batch, 4 * cells ** 2).
-        action_values: Exploration rate when sampling, as at the end of training.
     """
 
     kind = "dqn"

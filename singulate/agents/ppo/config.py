@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
-from singulate.agents.config_fields import check_int, check_net_arch, check_number, check_positive
-from singulate.agents.dqn.config import PAPER_NET_ARCH
+from singulate.agents.config_fields import check_int, check_number, check_positive
+from singulate.agents.net_arch import PAPER_NET_ARCH, check_net_arch
 from singulate.exceptions import InvalidValueError
 
 
