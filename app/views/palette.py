@@ -32,7 +32,7 @@ class Surface:
 
 
 LIGHT = Surface(
-    table=(242, 242, 240),
+    table=(248, 247, 244),
     border=(132, 134, 140),
     grid=(196, 198, 202),
     print=(96, 99, 106),

@@ -8,7 +8,7 @@ from app.views.palette import surface
 from app.views.table_marks import table_marks
 from singulate.geometry import Workspace
 
-MARGIN = 0.12
+MARGIN = 0.14
 """How far the table reaches beyond the workspace [m]."""
 _THICKNESS = 0.05
 _MARKS_HEIGHT = 0.001

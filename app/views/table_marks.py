@@ -8,7 +8,7 @@ from app.views.palette import Colour, Surface
 from singulate.geometry import Workspace
 
 PIXELS = 1400
-_FONT_HEIGHT_M = 0.052
+_FONT_HEIGHT_M = 0.056
 _NUM_CELLS = 4
 
 

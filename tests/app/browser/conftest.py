@@ -227,8 +227,10 @@ def app_process(tmp_path_factory: pytest.TempPathFactory) -> Iterator[subprocess
         log.seek(0)
         print(log.read())
         log.close()
+        rest = process.stdout.read()
         process.stdout.close()
     assert status == 0
+    assert rest == "", "the address is the only line that the program prints"
 
 
 @pytest.fixture(scope="session")

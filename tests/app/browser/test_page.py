@@ -13,6 +13,10 @@ import pytest
 from PIL import Image
 
 from app.fields.catalogue import FIELD_KINDS, FIELDS_BY_KEY, FIELDS_BY_LABEL
+from app.views.table import MARGIN
+from singulate.geometry import Workspace
+
+REACH = Workspace().half_length + MARGIN
 
 pytestmark = pytest.mark.browser
 
@@ -68,8 +72,9 @@ def test_webgl_draws_the_table_between_the_panels(page: Any) -> None:
         assert page.node(name) is not None, name
     assert page.page.evaluate("() => window.__viserTestpoints.rendererInfo.memory.textures") >= 3
 
-    left, top = page.on_screen(-1.12, 1.12)
-    right, bottom = page.on_screen(1.12, -1.12)
+    left, bottom = page.on_screen(-REACH, -REACH)
+    right = page.on_screen(REACH, -REACH)[0]
+    top = page.on_screen(REACH, REACH)[1]
     assert 260 <= left < right <= 1280 - 356
     assert 0 <= top < bottom <= 720
     assert right - left > 500

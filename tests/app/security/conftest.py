@@ -48,6 +48,7 @@ class Door:
             subprotocols=[Subprotocol(f"viser-v{viser.__version__}")],
             additional_headers=headers,
             max_size=None,
+            close_timeout=1,
         )
         self._open.append(connection)
         return connection
