@@ -132,6 +132,15 @@ class LabPage:
         )
         return place
 
+    def look_from_top(self) -> None:
+        """Press C and wait until the camera is there."""
+        self.press("c")
+        self.wait(lambda: abs(self.width_at(1.0) - self.width_at(-1.0)) < 3)
+
+    def width_at(self, y: float) -> float:
+        """Width of the workspace in the picture, at some y [pixels]."""
+        return self.on_screen(1.0, y)[0] - self.on_screen(-1.0, y)[0]
+
     def on_screen(self, x: float, y: float, z: float = 0.0) -> tuple[float, float]:
         px, py = self.page.evaluate(PROJECT, [x, y, z])
         return px, py
@@ -265,5 +274,6 @@ def page(shared_page: LabPage) -> Iterator[LabPage]:
     """The first visitor's window with the first scene at rest; it must stay free of errors."""
     shared_page.wait(lambda: not shared_page.is_pushing)
     shared_page.press("r")
+    shared_page.page.wait_for_function(IS_STEADY, timeout=60_000, polling=200)
     yield shared_page
     assert shared_page.errors == []

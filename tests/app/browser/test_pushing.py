@@ -65,7 +65,7 @@ def test_dragging_with_the_right_button_moves_the_camera_and_pushes_nothing(page
     page.wait(lambda: page.camera != pytest.approx(camera, abs=0.05))
     page.page.wait_for_timeout(300)
     assert page.position("/ghost") == before
-    page.press("c")
+    page.look_from_top()
 
 
 def test_undo_brings_the_blocks_back(page: Any) -> None:
