@@ -5,8 +5,8 @@ import numpy.typing as npt
 
 from singulate.geometry import Direction, Poses, Workspace
 from singulate.geometry.rectangle import Polygon
-from singulate.simulation.footprint import SWEEP_MARGIN, block_footprint
 from singulate.simulation.fallen import is_fallen
+from singulate.simulation.footprint import SWEEP_MARGIN, block_footprint
 
 _UNDECIDED = 1e-6
 """Footprints that come this close to touching are left to the scene's own test [m]."""
