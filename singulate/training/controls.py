@@ -60,11 +60,12 @@ class Controls:
             if command == "checkpoint":
                 self._wants_checkpoint = True
             elif command == "stop":
-                self._is_stopping = True
                 self._heartbeat.update(state="stopping")
+                self._is_stopping = True
             elif not self._is_stopping:
-                self._is_pausing = command == "pause"
-                self._heartbeat.update(state="pausing" if self._is_pausing else "running")
+                is_pausing = command == "pause"
+                self._heartbeat.update(state="pausing" if is_pausing else "running")
+                self._is_pausing = is_pausing
             self._changed.notify_all()
 
     def wait_while_paused(self) -> None:
