@@ -17,7 +17,8 @@ class Policy(Protocol):
     Attributes:
         kind: Name in the agent registry, or ``random``.
         observation: Name of the observation that it expects.
-        is_random: Whether it is nothing without a random generator.
+        is_random: Whether it acts by drawing from a distribution. Whoever wants to see it act as it
+            was trained to then passes a generator to `act`.
     """
 
     kind: str

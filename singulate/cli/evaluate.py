@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
 
+ACTING = {False: "greedy", True: "drawing, as in training"}
 ENV_OPTIONS = ("scenario", "reward", "max_pushes", "goal_separation")
 
 
@@ -39,8 +40,19 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument("--reward", help="(the one it was trained on)")
     parser.add_argument("--max-pushes", type=int, help="pushes an episode may take")
     parser.add_argument("--goal-separation", type=float, metavar="M", help="d_goal of Eq. 2 [m]")
-    parser.add_argument(
-        "--sample", action="store_true", help="explore as in training instead of being greedy"
+    acting = parser.add_mutually_exclusive_group()
+    acting.add_argument(
+        "--sample",
+        action="store_true",
+        default=None,
+        help="draw pushes as in training (PPO does anyway)",
+    )
+    acting.add_argument(
+        "--greedy",
+        dest="sample",
+        action="store_false",
+        default=None,
+        help="the push of the highest value or density (a DQN does anyway)",
     )
     parser.add_argument("--workers", type=int, help="worker processes (one a core)")
     parser.add_argument(
@@ -59,12 +71,14 @@ def _run(args: argparse.Namespace) -> int:
     env_config = replace(env_config, **{k: v for k, v in changes.items() if v is not None})
     if args.publish is not None:
         run_config(Path(source))
-    evaluation = _evaluate(args, policy, env_config, args.sample)
+    is_sampled = policy.is_random if args.sample is None else args.sample
+    evaluation = _evaluate(args, policy, env_config, is_sampled)
     if args.publish is not None:
+        other = not is_sampled
         measured = {
-            "greedy": _evaluate(args, policy, env_config, False) if args.sample else evaluation,
-            "exploring as in training": _evaluate(args, policy, env_config, True),
-            "random pushes": _evaluate(args, RandomPolicy(), env_config, False),
+            ACTING[is_sampled]: evaluation,
+            ACTING[other]: _evaluate(args, policy, env_config, other),
+            "random pushes": _evaluate(args, RandomPolicy(), env_config, True),
         }
         publish(Path(source), args.publish, measured, args.seed)
     about = {
@@ -74,7 +88,7 @@ def _run(args: argparse.Namespace) -> int:
         "reward": env_config.reward,
         "goal_separation": env_config.goal_separation,
         "max_pushes": env_config.push_limit,
-        "is_sampled": args.sample,
+        "is_sampled": is_sampled,
         "seed": args.seed,
     }
     if args.json:
@@ -119,9 +133,11 @@ def _print_text(about: dict[str, Any], evaluation: "Evaluation") -> None:
     low, high = evaluation.success_interval
     console = Console()
     console.print(
-        f"{about['checkpoint']} on {about['scenario']}, {evaluation.num_episodes} episodes "
-        f"(seed {about['seed']}, goal {about['goal_separation']:g} m)",
+        f"{about['checkpoint']} ({ACTING[about['is_sampled']]}) on {about['scenario']}, "
+        f"{evaluation.num_episodes} episodes (seed {about['seed']}, "
+        f"goal {about['goal_separation']:g} m)",
         highlight=False,
+        soft_wrap=True,
     )
     table = Table(box=None, show_header=False)
     table.add_row(

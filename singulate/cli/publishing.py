@@ -19,7 +19,7 @@ README = """# {name}
 
 A {agent} for `{scenario}`, {steps:,} pushes of training.
 
-| on {episodes:,} unseen scenes | success | 95 % interval | mean reward | failures |
+| over {episodes:,} episodes | success | 95 % interval | mean reward | failures |
 |---|---|---|---|---|
 {rows}
 
@@ -31,8 +31,10 @@ and measured (goal {goal:g} m, at most {max_pushes} push{plural} an episode) wit
 
     {evaluate_command}
 
-Load it: `singulate.load_policy("checkpoints/{name}")`. It holds weights alone; to train further,
-train anew with the command above.
+The scenes are drawn with seeds that no training uses (a `fixed` scenario has one scene only).
+
+Load it with `singulate.load_policy("checkpoints/{name}")`. It holds weights alone: to train
+further, train anew with the command above.
 """
 
 

@@ -20,7 +20,7 @@ def evaluate(
     episodes: int,
     seed: int = 0,
     *,
-    sample: bool = False,
+    sample: bool | None = None,
     workers: int = 1,
     on_progress: Callable[[int], None] | None = None,
 ) -> Evaluation:
@@ -33,7 +33,8 @@ def evaluate(
         env_config: The task.
         episodes: Number of episodes.
         seed: Seed of the evaluation.
-        sample: Whether the policy explores as in training; greedy otherwise, where it can be.
+        sample: Whether the policy draws pushes as in training (True) or is greedy (False); by
+            default as it is meant to act.
         workers: Processes; with 1, everything happens in this one.
         on_progress: Called with the number of finished episodes now and then.
 

@@ -50,12 +50,13 @@ class Evaluator:
         policy: What to try.
         env_config: The task; the policy chooses pushes, so its ``action`` has no effect, and the
             policy's own observation is used.
-        sample: Whether the policy explores as in training instead of being greedy.
+        sample: Whether the policy draws pushes as in training (True) or is greedy (False); by
+            default as it is meant to act.
     """
 
-    def __init__(self, policy: Policy, env_config: EnvConfig, sample: bool = False) -> None:
+    def __init__(self, policy: Policy, env_config: EnvConfig, sample: bool | None = None) -> None:
         self._policy = policy
-        self._needs_rng = sample or policy.is_random
+        self._needs_rng = policy.is_random if sample is None else sample
         self._env = PushEnv(None, **env_config.to_dict())
         self._observation = make_observation(policy.observation, self._env.task.workspace)
         self._reward = make_reward(env_config.reward)
