@@ -71,6 +71,8 @@ def train(
     else:
         run.create(config.to_dict())
     torch.set_num_threads(config.num_threads)
+    # Adam's moments of idle weights decay into denormal numbers, which made updates 4 times slower.
+    torch.set_flush_denormal(True)
     with ExitStack() as stack:
         stack.enter_context(RunLock(run_dir))
         if resume:
