@@ -13,7 +13,7 @@ from singulate.envs.push_task import PushResult, PushTask
 from singulate.exceptions import InvalidValueError, SimulationError
 from singulate.geometry import Poses, Push, parse_layout
 from singulate.perception import Percept
-from singulate.rewards import TERMS, make_reward
+from singulate.rewards import TERMS, is_success, make_reward
 from singulate.simulation import PushOutcome, make_scenario
 
 
@@ -94,7 +94,7 @@ class PushEnv(gymnasium.Env[Any, Any]):
         self.task.place(layout)
         self._episode_pushes = 0
         percept = self.task.percept
-        return self._observation.observe(percept), self._info(percept, is_success=False)
+        return self._observation.observe(percept), self._info(percept)
 
     def step(
         self, action: Any
@@ -112,7 +112,7 @@ class PushEnv(gymnasium.Env[Any, Any]):
         except SimulationError as failure:
             error = str(failure)
             result = _nothing_happened(push, self.task.percept)
-        info = self._info(result.after, result.is_success) | {
+        info = self._info(result.after) | {
             "reward_terms": result.terms,
             "push": push,
             "outcome": result.outcome,
@@ -139,15 +139,14 @@ class PushEnv(gymnasium.Env[Any, Any]):
         """Release the physics engine."""
         self.task.close()
 
-    def _info(self, percept: Percept, is_success: bool) -> dict[str, Any]:
+    def _info(self, percept: Percept) -> dict[str, Any]:
         poses: Poses = self.task.scene.poses
+        goal = self.config.goal_separation
         return {
             "mask": percept.mask.copy(),
             "num_segments": percept.num_segments,
-            "inter_object_distance": percept.inter_object_distance_truncated(
-                self.config.goal_separation
-            ),
-            "is_success": is_success,
+            "inter_object_distance": percept.inter_object_distance_truncated(goal),
+            "is_success": is_success(percept, self.task.num_blocks, goal),
             "poses": poses,
         }
 

@@ -124,6 +124,14 @@ def test_start_end_actions_push_along_their_own_line():
     env.close()
 
 
+def test_a_scene_that_starts_apart_is_a_success_from_the_start():
+    env = make(scenario="random-2", action="point")
+    _, info = env.reset(options={"blocks": [{"x": -0.4, "y": 0.0}, {"x": 0.4, "y": 0.0}]})
+    assert info["is_success"]
+    assert info["num_segments"] == 2
+    env.close()
+
+
 def test_rendering_shows_the_table():
     env = make(scenario="random-3", render_mode="rgb_array")
     env.reset(seed=1)
