@@ -1,5 +1,6 @@
 """The laboratory's end of the policy process."""
 
+from collections import deque
 from collections.abc import Callable, Set
 
 from app.notices import NoticeBoard
@@ -35,12 +36,14 @@ class PolicyLink:
     def __init__(self, notices: NoticeBoard, on_message: Callable[[], None]) -> None:
         self._notices = notices
         self._source = ""
+        self._to_send: deque[Load] = deque()
         self._wants_live = False
         self._failed = ""
         self._loaded: Loaded | None = None
         self._fields: Fields | None = None
         self._asked: tuple[str, int, frozenset[str]] | None = None
         self._is_waiting = False
+        self._is_published = True
         self.is_live = False
         self.snapshot: PolicySnapshot | None = None
         self._process = SupervisedProcess(
@@ -73,11 +76,13 @@ class PolicyLink:
                 self._set_live(is_live)
         elif not (is_live and source == self._failed):
             self._source, self._wants_live = source, is_live
-            self._process.send(Load(source))
+            self._to_send.append(Load(source))
+            self._send_loads()
 
     def choose(self, rest: RestState) -> None:
-        """Ask for the push that the policy would make."""
-        self._process.send(ChoosePush(rest.version, rest.percept))
+        """Ask for the push that the policy would make; a lost question is told on the page."""
+        if not self._process.send(ChoosePush(rest.version, rest.percept)):
+            self._notices.add("The policy process did not take the question; try again soon.")
 
     def predict(self, push_id: int, rest: RestState, push: Push) -> None:
         """Ask for the reward that the policy expects of a push."""
@@ -95,7 +100,10 @@ class PolicyLink:
         explanation = self._process.watch()
         if explanation is not None:
             self._begin_again(explanation)
+        self._send_loads()
         self._ask_for_fields(rest, frozenset(wanted) & {Q_MAP, START_DENSITY})
+        if not self._is_published and not self._is_waiting:
+            self._publish()
         return answers
 
     def close(self) -> None:
@@ -105,23 +113,23 @@ class PolicyLink:
     def _hear(self, message: object) -> None:
         match message:
             case Loaded():
-                if self._loaded is not None and self._loaded.kind != message.kind:
-                    self._fields = None
                 self._loaded = message
                 self._failed = ""
                 if message.source == self._source:
                     self.is_live = self._wants_live
-                self._publish()
-            case NotLoaded(source, reason):
+                self._is_published = False
+            case NotLoaded(source, reason, has_other):
                 self._notices.add(f"{reason}. Choose another policy, or train one.")
                 self._failed = source
+                if not has_other:
+                    self._loaded = self._fields = self.snapshot = None
                 if source == self._source:
                     self._source = self._loaded.source if self._loaded else ""
                     self._wants_live = self.is_live
             case Fields():
                 self._is_waiting = False
                 self._fields = message
-                self._publish()
+                self._is_published = False
             case PolicyProblem(reason):
                 self._is_waiting = False
                 self._notices.add(reason)
@@ -130,8 +138,13 @@ class PolicyLink:
         self._notices.add(f"{explanation} It is loading the same policy again.")
         self._is_waiting = False
         self._asked = None
-        if self._source:
-            self._process.send(Load(self._source))
+        known = (self._loaded.source if self._loaded else "", self._source)
+        self._to_send = deque(Load(source) for source in dict.fromkeys(known) if source)
+
+    def _send_loads(self) -> None:
+        """What the process does not take, because it rests after many deaths, it gets later."""
+        while self._to_send and self._process.send(self._to_send[0]):
+            self._to_send.popleft()
 
     def _ask_for_fields(self, rest: RestState | None, wanted: frozenset[str]) -> None:
         if rest is None or self._loaded is None or not wanted or self._is_waiting:
@@ -141,7 +154,6 @@ class PolicyLink:
             return
         self._is_waiting = self._process.send(
             ComputeFields(
-                self._loaded.source,
                 rest.version,
                 rest.percept,
                 wants_q_map=Q_MAP in wanted,
@@ -154,12 +166,16 @@ class PolicyLink:
     def _set_live(self, is_live: bool) -> None:
         if is_live != self.is_live:
             self.is_live = is_live
-            self._publish()
+            self._is_published = False
 
     def _publish(self) -> None:
+        """Show the loaded policy, with its own fields or with none."""
+        self._is_published = True
         loaded, fields = self._loaded, self._fields
         if loaded is None:
             return
+        if fields is not None and fields.source != loaded.source:
+            fields = None
         self.snapshot = PolicySnapshot(
             label=loaded.label,
             kind=loaded.kind,

@@ -30,17 +30,23 @@ class Loaded:
 
 @dataclass(frozen=True)
 class NotLoaded:
-    """A checkpoint could not be loaded: why, in one line; the one before it still answers."""
+    """A checkpoint could not be loaded.
+
+    Attributes:
+        source: The checkpoint.
+        reason: Why, in one line.
+        has_other: Whether one that was loaded before it still answers.
+    """
 
     source: str
     reason: str
+    has_other: bool
 
 
 @dataclass(frozen=True)
 class ComputeFields:
-    """Compute what the policy believes about a scene; only what somebody looks at."""
+    """Compute what the loaded policy believes about a scene; only what somebody looks at."""
 
-    source: str
     version: int
     percept: Percept
     wants_q_map: bool
@@ -52,7 +58,7 @@ class Fields:
     """What the policy believes about a scene, as far as it was asked and can tell.
 
     Attributes:
-        source: The policy.
+        source: The policy that was loaded when it answered.
         version: The scene's state at rest.
         q_map: float32 (4, H, W), or None.
         start_density: float32 (H, W) summing to 1, or None.

@@ -35,9 +35,7 @@ def run_policy(connection: Pipe) -> None:
     torch.set_num_threads(1)
     answerer = PolicyAnswerer()
     while True:
-        answer = answerer.answer(connection.recv())
-        if answer is not None:
-            connection.send(answer)
+        connection.send(answerer.answer(connection.recv()))
 
 
 class PolicyAnswerer:
@@ -50,11 +48,11 @@ class PolicyAnswerer:
         self._rng = np.random.default_rng(0)
 
     def answer(self, question: object) -> object:
-        """Answer one message; None where there is nothing to say."""
+        """Answer one message; every question has an answer, for somebody waits for it."""
         if isinstance(question, Load):
             return self._load(question.source)
         if self._policy is None:
-            return None
+            return PolicyProblem("No policy is loaded; choose one, or train one.")
         try:
             return self._ask(self._policy, question)
         except SingulateError as error:
@@ -66,7 +64,7 @@ class PolicyAnswerer:
             checkpoint = read_checkpoint(directory, with_files=False)
             policy = policy_from_checkpoint(checkpoint)
         except SingulateError as error:
-            return NotLoaded(source, str(error))
+            return NotLoaded(source, str(error), has_other=self._policy is not None)
         self._policy = policy
         self._observation = make_observation(policy.observation, Workspace())
         self._source = source
@@ -75,22 +73,20 @@ class PolicyAnswerer:
 
     def _ask(self, policy: Policy, question: object) -> object:
         match question:
-            case ComputeFields(source, version, percept, wants_q_map, wants_start_density):
-                if source != self._source:
-                    return None
+            case ComputeFields(version, percept, wants_q_map, wants_start_density):
                 seen = self._observe(percept)
                 q_map = density = None
                 if wants_q_map and isinstance(policy, HasQMap):
                     q_map = policy.q_map(seen)
                 if wants_start_density and isinstance(policy, HasStartDensity):
                     density = policy.start_density(seen)
-                return Fields(source, version, q_map, density)
+                return Fields(self._source, version, q_map, density)
             case ChoosePush(version, percept):
                 rng = self._rng if policy.is_random else None
                 return ChosenPush(version, policy.act(self._observe(percept), rng))
             case PredictReward(push_id, percept, push):
                 return Prediction(push_id, policy.predict_value(self._observe(percept), push))
-        return None
+        return PolicyProblem(f"{type(question).__name__} is no question to a policy.")
 
     def _observe(self, percept: Percept) -> FloatMap:
         assert self._observation is not None
