@@ -8,6 +8,7 @@ from pathlib import Path
 
 from app.choices import MAX_SEED, SCENARIOS
 from app.security.access import is_loopback
+from singulate.cli import OneLineParser
 from singulate.exceptions import InvalidValueError
 
 DEFAULT_PORT = 8080
@@ -57,12 +58,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def parse_options(arguments: Sequence[str] | None = None) -> Options:
-    """Options from a command line; argparse's own errors leave with status 2.
+    """Options from a command line; what cannot be parsed leaves with one line and status 2.
 
     Raises:
         InvalidValueError: If a value is not allowed.
     """
-    parser = argparse.ArgumentParser(prog="python -m app", description="The dashboard.")
+    parser = OneLineParser(prog="python -m app", description="The dashboard.")
     add_arguments(parser)
     return check_options(parser.parse_args(arguments))
 

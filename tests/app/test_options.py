@@ -48,6 +48,18 @@ def test_bad_values_are_one_line(arguments: list[str]) -> None:
     assert "\n" not in str(refused.value)
 
 
+@pytest.mark.parametrize("arguments", [["--port", "high"], ["--colour", "red"], ["--run"]])
+def test_what_cannot_be_parsed_is_one_line_and_status_2(
+    arguments: list[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as left:
+        parse_options(arguments)
+    assert left.value.code == 2
+    said = capsys.readouterr().err
+    assert said.startswith("singulate: error: ") and said.count("\n") == 1
+    assert arguments[0] in said
+
+
 def test_a_busy_port_ends_the_program_with_one_line_and_status_2() -> None:
     with bind("127.0.0.1", 0) as listener:
         port = listener.getsockname()[1]
