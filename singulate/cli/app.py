@@ -3,6 +3,7 @@
 import argparse
 import os
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -20,5 +21,9 @@ def add_parser(subparsers: "Subparsers") -> None:
 
 
 def _run(args: argparse.Namespace) -> int:
+    """Become the dashboard that belongs to this package, whatever the directory holds."""
     sys.stdout.flush()
-    os.execv(sys.executable, [sys.executable, "-m", "app", *args.arguments])
+    command = [sys.executable, "-P", "-m", "app", *args.arguments]
+    package_parent = str(Path(__file__).resolve().parents[2])
+    path = os.pathsep.join(filter(None, (package_parent, os.environ.get("PYTHONPATH"))))
+    os.execve(sys.executable, command, os.environ | {"PYTHONPATH": path})
