@@ -2,19 +2,15 @@
 
 from dataclasses import dataclass
 
+from singulate.simulation.palette import BLOCK_COLOURS as SEEN_BY_CAMERAS
+
 Colour = tuple[int, int, int]
 
-BLOCK_COLOURS: tuple[Colour, ...] = (
-    (69, 120, 171),
-    (237, 153, 84),
-    (102, 168, 120),
-    (204, 115, 120),
-    (140, 122, 178),
-    (217, 186, 97),
-    (107, 173, 184),
-    (184, 135, 107),
+BLOCK_COLOURS: tuple[Colour, ...] = tuple(
+    (round(255 * red), round(255 * green), round(255 * blue))
+    for red, green, blue, _ in SEEN_BY_CAMERAS
 )
-"""One for each block, again from the start after the last; the camera's pictures use the same."""
+"""One for each block, again from the start after the last; the same as in the camera's pictures."""
 
 PUSHER_COLOUR: Colour = (56, 61, 71)
 AIM_COLOUR: Colour = (214, 52, 16)
