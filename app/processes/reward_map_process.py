@@ -21,6 +21,9 @@ def run_reward_maps(connection: Pipe, num_workers: int) -> None:
     Args:
         connection: Pipe to the laboratory; see `reward_map_messages`.
         num_workers: Processes that push in parallel.
+
+    Raises:
+        EngineError: If workers cannot be started; the supervisor tries again with a new process.
     """
     with LocalEngine(num_workers, niceness=_NICENESS) as engine:
         while True:
@@ -45,4 +48,6 @@ def _compute(connection: Pipe, question: ComputeRewardMap, engine: LocalEngine) 
                 )
             )
     except SingulateError as error:
+        if engine.has_failed:
+            raise
         connection.send(RewardMapProblem(question.version, str(error)))

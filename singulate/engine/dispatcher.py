@@ -60,6 +60,11 @@ class Dispatcher(threading.Thread):
         """Process ids of the workers."""
         return [worker.pid for worker in self._workers]
 
+    @property
+    def has_failed(self) -> bool:
+        """Whether no worker is left and no other will be started."""
+        return bool(self._failure)
+
     def run(self) -> None:
         """Serve until the end is requested."""
         reason = "the engine has been closed"

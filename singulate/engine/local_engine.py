@@ -72,6 +72,11 @@ class LocalEngine:
         """Process ids of the workers; a replaced one has another."""
         return self._dispatcher.pids
 
+    @property
+    def has_failed(self) -> bool:
+        """Whether it refuses all work for good, because its workers end before they are ready."""
+        return self._dispatcher.has_failed
+
     def submit(
         self,
         work: Callable[[ToolT, TaskT], ResultT],

@@ -97,11 +97,11 @@ def test_workers_are_nice() -> None:
 
 def test_workers_that_cannot_start_are_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "executable", "/bin/false")
-    with (
-        LocalEngine(num_workers=2) as engine,
-        pytest.raises(EngineError, match="before they are ready"),
-    ):
-        list(engine.submit(tasks.square, [1], object))
+    with LocalEngine(num_workers=2) as engine:
+        assert not engine.has_failed
+        with pytest.raises(EngineError, match="before they are ready"):
+            list(engine.submit(tasks.square, [1], object))
+        assert engine.has_failed
 
 
 @pytest.mark.parametrize(("key", "value"), [("num_workers", 0), ("niceness", 20)])
