@@ -8,8 +8,8 @@ import sys
 import traceback
 from dataclasses import dataclass
 
-from app.processes.parent_death import die_with_parent
 from app.processes.pipes import Pipe
+from singulate.engine.parent_death import die_with_parent
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,5 @@
 """The life of a local worker process: ``python -m singulate.engine.worker FD PARENT_PID NICE``."""
 
-import ctypes
 import os
 import pickle
 import signal
@@ -12,16 +11,15 @@ from multiprocessing.connection import Connection
 from typing import Any
 
 from singulate.engine.messages import DropBatch, Finished, Ready, RunTask
+from singulate.engine.parent_death import die_with_parent
 
 MAX_TOOLS = 3
 """Tools that a worker keeps; the one not used for longest goes first."""
 
-_PR_SET_PDEATHSIG = 1
-
 
 def main(fd: int, parent_pid: int, niceness: int) -> None:
     """Serve tasks from the inherited socket `fd` until the parent is gone."""
-    _die_with_parent(parent_pid)
+    die_with_parent(parent_pid)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     os.nice(niceness)
     connection = Connection(fd)
@@ -76,14 +74,6 @@ class ToolBox:
             self._tools[factory] = pickle.loads(factory)()
         self._tools.move_to_end(factory)
         return self._tools[factory]
-
-
-def _die_with_parent(parent_pid: int) -> None:
-    """Be killed when the parent ends in any way (Linux); elsewhere the pipe's end must do."""
-    if sys.platform == "linux":
-        ctypes.CDLL(None, use_errno=True).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
-        if os.getppid() != parent_pid:  # it died before the call above
-            sys.exit(1)
 
 
 if __name__ == "__main__":
