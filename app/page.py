@@ -42,12 +42,15 @@ class ClientPage:
     Args:
         client: The browser's connection.
         submit: Takes commands to the laboratory; returns at once.
+        name: What the others call this person.
 
     Attributes:
         preferences: This client's choices.
     """
 
-    def __init__(self, client: viser.ClientHandle, submit: Callable[[Command], None]) -> None:
+    def __init__(
+        self, client: viser.ClientHandle, submit: Callable[[Command], None], name: str = ""
+    ) -> None:
         self._client, self._submit = client, submit
         self.preferences = Preferences()
         self._workspace = Workspace()
@@ -56,7 +59,7 @@ class ClientPage:
         self._drape_watch, self._drape_throttle = Watch(), Throttle(DRAPE_INTERVAL)
         self._secondary = SecondaryButtons(client.gui, self.preferences.is_dark)
         self._context = PanelContext(
-            client.gui, submit, self.preferences, self._report, self._secondary
+            client.gui, submit, self.preferences, self._report, self._secondary, name
         )
         self._theme_watch = Watch()
         with client.atomic():

@@ -36,7 +36,7 @@ class ClientSession:
     ) -> None:
         self.client = client
         self.name = name
-        self.page = ClientPage(client, submit)
+        self.page = ClientPage(client, submit, name)
         self._submit = submit
         self._workspace = workspace
         self._start: Point | None = None

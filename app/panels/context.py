@@ -21,6 +21,7 @@ class PanelContext:
         preferences: This client's choices.
         report: Tells this client alone that a value was not accepted.
         secondary: Makes quiet buttons.
+        name: What the others call this client's person.
         workspace: The table.
     """
 
@@ -29,4 +30,5 @@ class PanelContext:
     preferences: Preferences
     report: Callable[[str], None]
     secondary: SecondaryButtons
+    name: str = ""
     workspace: Workspace = field(default_factory=Workspace)

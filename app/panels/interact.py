@@ -18,6 +18,7 @@ from app.panels.context import PanelContext
 from app.panels.listening import listen, on_pick, on_press, show_value
 from app.panels.marked_choice import MarkedChoice, add_switch
 from app.panels.markup import block, dimmed, escape, show
+from app.panels.naming import name_for
 from app.panels.push_report import PushReportView
 from app.panels.watch import Watch
 from app.snapshot import SceneSnapshot, Snapshot
@@ -40,7 +41,7 @@ class InteractPanel:
         self._add_scene_controls()
         self._add_agent_controls()
         self._add_motion_controls()
-        self._report = PushReportView(context.gui)
+        self._report = PushReportView(context.gui, context.name)
 
     def _add_scene_controls(self) -> None:
         gui, context = self._context.gui, self._context
@@ -118,7 +119,7 @@ class InteractPanel:
         self._scene = scene = snapshot.scene
         self.directions.show(self._context.preferences.direction)
         self._update_policies(snapshot)
-        show(self.state, _scene_html(scene))
+        show(self.state, _scene_html(scene, self._context.name))
         if scene is not None and self._scene_watch.has_changed(
             scene.scenario, scene.seed, scene.speed, scene.is_paused, scene.is_watching
         ):
@@ -143,12 +144,12 @@ class InteractPanel:
         self.agent_push.disabled = policy is None
 
 
-def _scene_html(scene: SceneSnapshot | None) -> str:
+def _scene_html(scene: SceneSnapshot | None, own_name: str = "") -> str:
     if scene is None:
         return block(dimmed("The table is being set up…"))
     seen = f"camera sees {scene.num_segments} of {scene.num_blocks} blocks"
     state = "singulated" if scene.is_success else seen
     if scene.is_pushing:
-        state = f"{scene.pushed_by} pushing…"
+        state = f"{name_for(own_name, scene.pushed_by)} pushing…"
     paused = " · paused" if scene.is_paused else ""
     return block(f"<b>{escape(scene.scenario)}</b> · seed {scene.seed}", dimmed(state + paused))

@@ -4,6 +4,7 @@ import viser
 
 from app.fields.field_image import segment_image
 from app.panels.markup import block, dimmed, escape, picture, show, table, title
+from app.panels.naming import name_for
 from app.panels.watch import Watch
 from app.snapshot import PushReport
 
@@ -23,28 +24,37 @@ TERM_LABELS = {
 
 
 class PushReportView:
-    """A table of reward terms over two small segmentations."""
+    """A table of reward terms over two small segmentations.
 
-    def __init__(self, gui: viser.GuiApi) -> None:
+    Args:
+        gui: Where it is added.
+        own_name: What the others call this person.
+    """
+
+    def __init__(self, gui: viser.GuiApi, own_name: str = "") -> None:
+        self._own_name = own_name
         self._watch = Watch()
         self.html = gui.add_html(push_report_html(None))
 
     def update(self, report: PushReport | None) -> None:
-        """Show the last push, if it is another one."""
-        parts = (None,) if report is None else (report.label_images[1], report.push, report.reward)
+        """Show the last push, if it is another one or its prediction has come."""
+        parts: tuple[object, ...] = (None,)
+        if report is not None:
+            actual = (report.label_images[1], report.push, report.reward)
+            parts = (*actual, report.predicted, report.by)
         if self._watch.has_changed(*parts):
-            show(self.html, push_report_html(report))
+            show(self.html, push_report_html(report, self._own_name))
 
 
-def push_report_html(report: PushReport | None) -> str:
-    """The report as HTML."""
+def push_report_html(report: PushReport | None, own_name: str = "") -> str:
+    """The report as HTML, for the person whom the others call `own_name`."""
     if report is None:
         hint = "Click the table to push, or drag an arrow. The result appears here."
         return block(title("Last push"), dimmed(hint))
     x, y = report.push.start
     outcome = OUTCOMES.get(report.outcome, report.outcome)
     direction = report.push.nearest_direction.label
-    where = f"{report.by}: {direction} from ({x:.2f}, {y:.2f}) m"
+    where = f"{name_for(own_name, report.by)}: {direction} from ({x:.2f}, {y:.2f}) m"
     return block(
         title(f"Last push: {outcome}"),
         dimmed(where),

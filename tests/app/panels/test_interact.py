@@ -69,5 +69,8 @@ def test_what_is_going_on_is_told(context, make_snapshot, make_scene):
     panel = InteractPanel(context)
     panel.update(make_snapshot(scene=make_scene(is_pushing=True, pushed_by="visitor 2")))
     assert "visitor 2 pushing" in panel.state.content
+    own = InteractPanel(replace(context, name="visitor 2"))
+    own.update(make_snapshot(scene=make_scene(is_pushing=True, pushed_by="visitor 2")))
+    assert "you pushing" in own.state.content
     panel.update(make_snapshot(scene=make_scene(is_success=True)))
     assert "singulated" in panel.state.content

@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 from app.panels.push_report import PushReportView, push_report_html
 
 
@@ -22,6 +24,23 @@ def test_a_policy_that_cannot_predict_leaves_a_dash(make_report):
 def test_names_from_outside_cannot_bring_markup(make_report):
     html = push_report_html(make_report(by="<script>x</script>", outcome="<b>"))
     assert "<script>" not in html
+
+
+def test_a_prediction_that_comes_late_is_shown(context, make_report):
+    view = PushReportView(context.gui)
+    report = make_report(predicted=None)
+    view.update(report)
+    view.update(replace(report, predicted=812.0))
+    assert ">812<" in view.html.content
+
+
+def test_one_is_told_of_by_name_to_the_others_only(context, make_report):
+    report = make_report(by="visitor 1")
+    own, other = (PushReportView(context.gui, name) for name in ("visitor 1", "visitor 2"))
+    for view in (own, other):
+        view.update(report)
+    assert "you: right" in own.html.content and "visitor" not in own.html.content
+    assert "visitor 1: right" in other.html.content
 
 
 def test_the_page_changes_only_with_another_push(context, make_report):
