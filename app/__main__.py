@@ -1,11 +1,13 @@
 """``python -m app``: start the dashboard and print where it is."""
 
+import shlex
 import signal
 import sys
 import threading
 import warnings
 import webbrowser
 from collections.abc import Sequence
+from pathlib import Path
 
 from app.laboratory import Laboratory
 from app.loop import Dashboard
@@ -32,6 +34,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def serve(options: Options) -> None:
     """Open the door, start the laboratory, and draw until the process is asked to stop.
 
+    A trainer that was started from the page saves a checkpoint and stops too; if this process is
+    killed instead, it goes on, and the next dashboard finds it.
+
     Raises:
         SingulateError: If an option is not allowed, or the port is taken.
     """
@@ -53,7 +58,15 @@ def serve(options: Options) -> None:
         dashboard.run(stop)
         server.stop()
     finally:
-        laboratory.close()
+        tell_stopped(laboratory.close())
+
+
+def tell_stopped(run_dir: Path | None) -> None:
+    """Say on standard error which run was stopped with the dashboard, and how to continue it."""
+    if run_dir is not None:
+        command = f"singulate train --resume {shlex.quote(str(run_dir))}"
+        text = f"training of {run_dir.name} was stopped; continue with: {command}"
+        print(f"singulate: {text}", file=sys.stderr)
 
 
 if __name__ == "__main__":

@@ -134,13 +134,20 @@ class Laboratory:
             notices=self._notices.notices,
         )
 
-    def close(self) -> None:
-        """End all processes; a trainer that was started here saves a checkpoint and stops."""
+    def close(self) -> Path | None:
+        """End all processes; a trainer that was started here saves a checkpoint and stops.
+
+        A laboratory that is killed cannot ask it to: its trainer goes on, and the next laboratory
+        finds the run and watches it.
+
+        Returns:
+            Directory of the run that was stopped, if any.
+        """
         self._training.ask_to_stop()
         self._reward_maps.close()
         self._policy.close()
         self._scene.close()
-        self._training.close()
+        return self._training.close()
 
     @property
     def pids(self) -> dict[str, int | None]:

@@ -98,11 +98,16 @@ class TrainingLink:
         """Have a trainer that was started here save a checkpoint and stop; returns at once."""
         self._commands.put(None)
 
-    def close(self, timeout_s: float = 5.0) -> None:
-        """Wait for the trainer that was asked to stop; a slow one goes on and ends by itself."""
+    def close(self, timeout_s: float = 5.0) -> Path | None:
+        """Wait for the trainer that was asked to stop; a slow one goes on and ends by itself.
+
+        Returns:
+            Its run directory, if there was a trainer that had begun its run.
+        """
         self.ask_to_stop()
         self._thread.join(timeout_s)
         self._desk.wait_for_trainer(timeout_s)
+        return self._desk.stopped_run
 
     def _work(self) -> None:
         while True:

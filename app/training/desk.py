@@ -33,6 +33,11 @@ class TrainingDesk:
         checkpoints_dir: Where policies that can be loaded are found.
         run_dir: Run to watch; otherwise the newest one that is alive, if any.
 
+    Attributes:
+        runs: Run directories, newest first.
+        policies: Policies that can be loaded: (label, source).
+        stopped_run: The run that `stop_trainer` has stopped, if any; it can be continued.
+
     Raises:
         RunError: If `run_dir` is given and holds no run.
     """
@@ -45,8 +50,10 @@ class TrainingDesk:
         self._snapshot: RunSnapshot | None = None
         self._listed_at = 0.0
         self._has_looked = False
+        self._awaits_run = False
         self.runs: tuple[str, ...] = ()
         self.policies: tuple[tuple[str, str], ...] = ()
+        self.stopped_run: Path | None = None
         if run_dir is not None:
             self._watch_run(run_dir)
 
@@ -60,16 +67,16 @@ class TrainingDesk:
         """The watched run as it is now.
 
         Raises:
-            RunError: If its directory is damaged.
+            RunError: If its directory is gone or damaged; it is no longer watched then.
         """
         if time.monotonic() - self._listed_at > _LIST_INTERVAL_S:
             self._list()
-        if self._launched is not None and self._watch is None:
+        if self._launched is not None and self._awaits_run:
             self._snapshot = self._launched.snapshot()
             if RunDirectory(self._launched.run_dir).is_run:
-                self._watch = RunWatch(self._launched.run_dir)
+                self._watch_run(self._launched.run_dir)
         if self._watch is not None:
-            self._snapshot = self._explained(self._watch.read())
+            self._read_watch(self._watch)
         return self._snapshot
 
     def obey(self, command: object) -> None:
@@ -94,8 +101,10 @@ class TrainingDesk:
 
     def stop_trainer(self) -> None:
         """Ask the trainer that was started here to save a checkpoint and stop."""
-        if self._launched is not None:
-            self._launched.stop()
+        launched = self._launched
+        if launched is not None and launched.is_alive:
+            launched.stop()
+            self.stopped_run = launched.run_dir if RunDirectory(launched.run_dir).is_run else None
 
     def wait_for_trainer(self, timeout_s: float) -> None:
         """Wait for the end of the trainer that was started here."""
@@ -106,6 +115,15 @@ class TrainingDesk:
         """Let go of the watched run."""
         if self._watch is not None:
             self._watch.close()
+
+    def _read_watch(self, watch: RunWatch) -> None:
+        try:
+            self._snapshot = self._explained(watch.read())
+        except (RunError, OSError) as error:
+            self._forget_watch()
+            self._snapshot = None
+            self._listed_at = 0.0
+            raise RunError(f"{error}; this run is no longer watched") from error
 
     def _explained(self, run: RunSnapshot) -> RunSnapshot:
         """Say what the operating system knows about the end of a trainer that is our child."""
@@ -122,6 +140,7 @@ class TrainingDesk:
         run_dir = new_run_dir(self._runs_dir, config)
         self._launched = Launched.start(config, run_dir)
         self._forget_watch()
+        self._awaits_run = True
         self._listed_at = 0.0
 
     def _resume(self) -> None:
@@ -166,6 +185,7 @@ class TrainingDesk:
         if self._watch is not None:
             self._watch.close()
         self._watch = None
+        self._awaits_run = False
 
     def _list(self) -> None:
         found = find_runs(self._runs_dir)

@@ -1,4 +1,8 @@
-"""A trainer that was started from the page."""
+"""A trainer that was started from the page.
+
+A dashboard that ends in order asks it to save a checkpoint and stop; one that is killed leaves it
+running, and the next dashboard finds it.
+"""
 
 import os
 import subprocess

@@ -1,4 +1,4 @@
-"""Starting a trainer from the page: a process that does not depend on the page."""
+"""What a person asked to train: a checked configuration and a directory for the run."""
 
 import time
 from collections.abc import Mapping

@@ -17,7 +17,9 @@ LAUNCH_NAME = "launch.json"
 
 @dataclass(frozen=True)
 class TrainerProcess:
-    """A trainer that was started from here; it outlives whoever started it.
+    """A trainer that was started from here; it goes on if whoever started it is killed.
+
+    The dashboard, when it ends in order, asks its trainer to save a checkpoint and stop.
 
     Attributes:
         run_dir: Its run directory.

@@ -1,6 +1,7 @@
 """Training from the page: started, steered, watched, followed, killed, resumed."""
 
 import os
+import shutil
 import signal
 import time
 
@@ -19,12 +20,23 @@ from app.commands import (
 )
 from singulate import load_policy
 from singulate.runs import RunDirectory
+from singulate.runs.status import RunStatus, write_status
 
 LONG = 1_000_000
 
 
 def start(agent="dqn", scenario="fixed-2", steps=LONG, **options):
     return StartTraining(agent, scenario, steps, 0, {"checkpoint_every": 40, **options})
+
+
+@pytest.fixture
+def make_run_dir(tmp_path):
+    def make(name):
+        run = RunDirectory(tmp_path / name).create({"agent": "dqn"})
+        write_status(run.path, RunStatus(state="stopped", total_steps=10))
+        return run.path
+
+    return make
 
 
 @pytest.fixture(scope="module")
@@ -129,6 +141,25 @@ def test_a_run_that_was_not_started_here_is_watched_and_left_alone(bench, make_b
     assert RunDirectory(other.snapshot.run and tmp_path / os.path.basename(run_dir)).is_run
     stopped = bench.until(lambda s: s.run.state == "stopped").run
     assert stopped.last_checkpoint
+
+
+@pytest.mark.parametrize("harm", ["delete", "damage"])
+def test_a_run_that_is_lost_is_told_once_and_hides_no_other(
+    make_bench, make_run_dir, tmp_path, harm
+):
+    lost = make_run_dir("lost")
+    bench = make_bench(runs_dir=tmp_path, run_dir=lost)
+    bench.until(lambda s: s.run is not None and str(lost) in s.runs)
+    if harm == "delete":
+        shutil.rmtree(lost)
+    else:
+        (lost / "status.json").write_text("{")
+    bench.until(lambda s: s.run is None)
+    (notice,) = bench.snapshot.notices
+    assert "no longer watched" in notice.text and "\n" not in notice.text
+    other = make_run_dir("other")
+    bench.until(lambda s: str(other) in s.runs and "run" not in dict(s.policies).values())
+    assert bench.snapshot.notices == (notice,)
 
 
 def test_a_trainer_that_cannot_start_says_why(make_bench, tmp_path):
