@@ -12,17 +12,16 @@ from stable_baselines3.common.logger import Logger
 from stable_baselines3.common.vec_env import DummyVecEnv
 
 from singulate.agents.reward_scale import ScaledReward
-from singulate.checkpoints import read_checkpoint
 from singulate.checkpoints.durable import replace_file
 from singulate.envs import PushEnv
 from singulate.runs import Heartbeat, RunDirectory, RunLock, RunStatus
 from singulate.training.callback import SessionCallback
 from singulate.training.config import TrainingConfig
 from singulate.training.controls import Controls, stop_on_signals
+from singulate.training.resuming import resume_training
 from singulate.training.seeded_episodes import SeededEpisodes
 from singulate.training.session import Links, Progress, TrainingSession, TrainingStopped
 from singulate.training.telemetry import Telemetry
-from singulate.training.training_state import restore_training
 
 
 @dataclass(frozen=True)
@@ -63,7 +62,8 @@ def train(
     Raises:
         RunError: If the directory holds a run already (or none, on `resume`), is being written by
             another process, or is not writable.
-        CheckpointError: If the checkpoint to continue from does not fit.
+        CheckpointError: If none of the run's checkpoints is intact, or it does not fit; the record
+            and the settings are then as before.
     """
     run = RunDirectory(run_dir)
     if resume:
@@ -75,9 +75,6 @@ def train(
     torch.set_flush_denormal(True)
     with ExitStack() as stack:
         stack.enter_context(RunLock(run_dir))
-        if resume:
-            text = json.dumps(config.to_dict(), indent=2) + "\n"
-            replace_file(run.config_path, text.encode())
         status = RunStatus(state="starting", total_steps=config.total_timesteps)
         heartbeat = stack.enter_context(Heartbeat(run_dir, status))
         controls = stack.enter_context(Controls(run_dir, heartbeat))
@@ -86,7 +83,10 @@ def train(
         stack.callback(env.close)
         episodes = SeededEpisodes(env, config.seed)
         model = _build_model(config, episodes)
-        resumed_step = _restore(model, episodes, run) if resume else None
+        resumed_step = resume_training(model, episodes, run) if resume else None
+        if resume:
+            text = json.dumps(config.to_dict(), indent=2) + "\n"
+            replace_file(run.config_path, text.encode())
         telemetry = stack.enter_context(Telemetry(run_dir, resumed_step))
         links = Links(telemetry, heartbeat, controls, on_progress)
         session = TrainingSession(config, run_dir, model, episodes, links)
@@ -102,14 +102,6 @@ def _build_model(config: TrainingConfig, episodes: SeededEpisodes) -> BaseAlgori
     )
     model.set_logger(Logger(folder=None, output_formats=[]))
     return model
-
-
-def _restore(model: BaseAlgorithm, episodes: SeededEpisodes, run: RunDirectory) -> int:
-    """Load the newest checkpoint; the step that it was saved at, 0 where there is none."""
-    newest = run.latest_checkpoint()
-    if newest is not None:
-        restore_training(model, episodes, read_checkpoint(newest).files)
-    return model.num_timesteps
 
 
 def _learn(session: TrainingSession) -> TrainingResult:
