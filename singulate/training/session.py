@@ -1,6 +1,7 @@
 """One training under way: what happens after each push and at each safe point."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -9,7 +10,7 @@ from stable_baselines3.common.base_class import BaseAlgorithm
 
 from singulate.agents.loading import tensors_of
 from singulate.checkpoints import Manifest, prune, save_checkpoint
-from singulate.exceptions import CheckpointError
+from singulate.exceptions import CheckpointError, RunError
 from singulate.runs import Heartbeat, RunDirectory
 from singulate.training.config import TrainingConfig
 from singulate.training.controls import Controls
@@ -118,7 +119,8 @@ class TrainingSession:
             is_done: Whether it ended its episode.
         """
         step = self.model.num_timesteps
-        self.telemetry.add_push(step, info, predicted)
+        with self._recording():
+            self.telemetry.add_push(step, info, predicted)
         self.metrics.add_push(info["reward"], info["reward_terms"], info["is_success"], is_done)
         self._speed.add(step)
         progress = self.progress
@@ -128,15 +130,16 @@ class TrainingSession:
         if step % METRICS_EVERY == 0:
             values = {**self.metrics.collect(), **model_metrics(self.model)}
             values["time/pushes_per_second"] = progress.pushes_per_second
-            self.telemetry.add_metrics(step, values)
+            with self._recording():
+                self.telemetry.add_metrics(step, values)
         if self._on_progress is not None:
             self._on_progress(progress)
 
     def between_pushes(self) -> None:
         """Wait while paused, in the middle of a rollout, where no checkpoint can be saved."""
-        if self.controls.is_pausing:
+        while self.controls.is_pausing:
             self.controls.wait_for_resume()
-            self._speed.restart()
+            self._go_on()
 
     def at_safe_point(self) -> None:
         """Between two rollouts: save a checkpoint where one is due, wait, or stop.
@@ -153,7 +156,7 @@ class TrainingSession:
             if not self.controls.is_pausing:
                 return
             self.controls.wait_while_paused()
-            self._speed.restart()
+            self._go_on()
 
     def save_checkpoint(self) -> Path:
         """Save all that is needed to continue from here.
@@ -177,8 +180,21 @@ class TrainingSession:
         save_checkpoint(directory, tensors_of(network), manifest, files)
         prune(self.run.checkpoints_path, self.config.num_checkpoints)
         self._checkpoint_step = step
-        self.telemetry.record.add_event("checkpoint", step=step)
+        self.record_event("checkpoint", step=step)
         return directory
+
+    def record_event(self, kind: str, **detail: Any) -> None:
+        """Record something that happened."""
+        with self._recording():
+            self.telemetry.record.add_event(kind, **detail)
+
+    def last_commit(self) -> str:
+        """Commit what is waiting; why it failed, empty if it did not."""
+        try:
+            self.telemetry.record.flush()
+        except RunError as error:
+            return str(error)
+        return ""
 
     def mark_checkpoint(self) -> None:
         """Note that the present state was just loaded from a checkpoint."""
@@ -197,6 +213,23 @@ class TrainingSession:
         except CheckpointError as error:
             if self.controls.is_stopping:
                 raise
-            self.telemetry.record.add_event("checkpoint_failed", reason=str(error))
+            self.record_event("checkpoint_failed", reason=str(error))
+            self.heartbeat.update(error=str(error))
+            self.controls.request("pause")
+
+    def _go_on(self) -> None:
+        """After a pause: write what could not be written, or pause again."""
+        self._speed.restart()
+        if not self.controls.is_pausing:
+            self.heartbeat.update(error="")
+            with self._recording():
+                self.telemetry.record.flush()
+
+    @contextmanager
+    def _recording(self) -> Iterator[None]:
+        """A record that cannot be written pauses the training; it keeps its rows meanwhile."""
+        try:
+            yield
+        except RunError as error:
             self.heartbeat.update(error=str(error))
             self.controls.request("pause")

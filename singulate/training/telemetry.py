@@ -5,10 +5,9 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
 
-from torch.utils.tensorboard import SummaryWriter
-
 from singulate.envs.outcome_kind import outcome_kind
 from singulate.runs import PushRecord, RunDirectory, RunRecord
+from singulate.training.event_files import EventFiles
 
 
 class Telemetry:
@@ -24,9 +23,7 @@ class Telemetry:
         purge_step = None if resumed_step is None else resumed_step + 1
         if resumed_step is not None:
             self.record.rewind(resumed_step)
-        self._events = SummaryWriter(
-            str(RunDirectory(run_dir).tensorboard_path), purge_step=purge_step
-        )
+        self._events = EventFiles(RunDirectory(run_dir).tensorboard_path, purge_step)
 
     def add_push(self, step: int, info: Mapping[str, Any], predicted: float | None) -> None:
         """Record a push.
@@ -35,6 +32,9 @@ class Telemetry:
             step: Training step.
             info: What the environment said about it.
             predicted: Reward that the agent expected.
+
+        Raises:
+            RunError: If a commit was due and failed; the rows are kept for the next one.
         """
         self.record.add_push(
             PushRecord(
@@ -51,10 +51,13 @@ class Telemetry:
         )
 
     def add_metrics(self, step: int, values: Mapping[str, float]) -> None:
-        """Record metrics by name."""
+        """Record metrics by name.
+
+        Raises:
+            RunError: As `add_push`.
+        """
+        self._events.add(step, values)
         self.record.add_metrics(step, values)
-        for name, value in values.items():
-            self._events.add_scalar(name, value, step)
 
     def __enter__(self) -> Self:
         return self

@@ -61,7 +61,8 @@ def train(
 
     Raises:
         RunError: If the directory holds a run already (or none, on `resume`), is being written by
-            another process, or is not writable.
+            another process, or is not writable; also if the last rows could not be recorded, after
+            the last checkpoint was saved.
         CheckpointError: If none of the run's checkpoints is intact, or it does not fit; the record
             and the settings are then as before.
     """
@@ -108,7 +109,7 @@ def _learn(session: TrainingSession) -> TrainingResult:
     model, heartbeat = session.model, session.heartbeat
     if heartbeat.status.state == "starting":
         heartbeat.update(state="running", num_steps=model.num_timesteps)
-    session.telemetry.record.add_event("started", step=model.num_timesteps)
+    session.record_event("started", step=model.num_timesteps)
     state = "finished"
     try:
         model.learn(
@@ -120,8 +121,8 @@ def _learn(session: TrainingSession) -> TrainingResult:
     except TrainingStopped:
         state = "stopped"
     checkpoint = session.save_checkpoint()
-    session.telemetry.record.add_event(state, step=model.num_timesteps)
-    session.telemetry.record.flush()
-    heartbeat.update(state=state, num_steps=model.num_timesteps, eta_s=None, error="")
+    session.record_event(state, step=model.num_timesteps)
+    error = session.last_commit()
+    heartbeat.update(state=state, num_steps=model.num_timesteps, eta_s=None, error=error)
     interrupted = session.controls.was_interrupted
     return TrainingResult(session.run.path, state, interrupted, checkpoint, session.progress)
