@@ -14,7 +14,7 @@ COMMANDS: dict[str, str] = {
     "train": "train an agent",
     "evaluate": "success and rewards of a trained agent on unseen scenes",
     "rewardmap": "true reward of every push on a scene",
-    "runs": "list, show, export and delete training runs",
+    "runs": "list, show, steer, export and delete training runs",
     "bench": "measure speeds on this machine",
 }
 """Every subcommand is a module of this package with an ``add_parser(subparsers)``."""

@@ -1,4 +1,4 @@
-"""``singulate runs``: what was trained here, and what became of it."""
+"""``singulate runs``: what was trained here, what became of it, and what it shall do now."""
 
 import argparse
 import json
@@ -15,21 +15,38 @@ from rich.table import Table
 
 from singulate.exceptions import RunError
 from singulate.paths import default_runs_directory
-from singulate.runs import RunDirectory, RunReader, delete_run, export_run, list_runs, lock_holder
+from singulate.runs import (
+    RunDirectory,
+    RunReader,
+    delete_run,
+    export_run,
+    list_runs,
+    lock_holder,
+    send_control,
+)
 from singulate.runs.listing import RunSummary, summarise_run
 
 if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
 
 NUM_RECENT_PUSHES = 1000
+CONTROLS = {
+    "pause": "let a running trainer wait",
+    "resume": "let a paused trainer go on",
+    "stop": "let a running trainer save a checkpoint and end",
+    "checkpoint": "let a running trainer save a checkpoint now",
+}
+"""Orders to a trainer; it follows at its next safe point."""
 
 
 def add_parser(subparsers: "Subparsers") -> None:
     """Add the command to a parser."""
-    parser = subparsers.add_parser("runs", help="list, show, export and delete training runs")
+    parser = subparsers.add_parser("runs", help="list, show, steer, export, delete training runs")
     actions = parser.add_subparsers(dest="action", required=True, metavar="ACTION")
     _add_action(actions, "list", "all runs, newest first", _list, takes_run=False)
     _add_action(actions, "show", "settings, state and results of a run", _show)
+    for command, text in CONTROLS.items():
+        _add_action(actions, command, text, _control)
     export = _add_action(actions, "export", "metrics and pushes of a run as CSV files", _export)
     export.add_argument(
         "--out", type=Path, required=True, metavar="DIR", help="directory for the files"
@@ -96,6 +113,21 @@ def _show(args: argparse.Namespace) -> int:
     for key, value in _flat(values):
         table.add_row(key, value)
     Console().print(table)
+    return 0
+
+
+def _control(args: argparse.Namespace) -> int:
+    run_dir = _find(args)
+    if lock_holder(run_dir) is None:
+        raise RunError(
+            f"{run_dir}: no trainer is running there; start one with "
+            f"`singulate train --resume {run_dir}`"
+        )
+    send_control(run_dir, args.action)
+    if args.json:
+        _print_json({"run_dir": str(run_dir), "sent": args.action})
+    else:
+        print(f"Sent to the trainer of {run_dir}: {args.action}.")
     return 0
 
 

@@ -8,7 +8,7 @@ import pytest
 from singulate.cli.runs import add_parser
 from singulate.exceptions import RunError
 from singulate.geometry import Block, Push, standing_pose
-from singulate.runs import PushRecord, RunDirectory, RunLock, RunRecord
+from singulate.runs import ControlInbox, PushRecord, RunDirectory, RunLock, RunRecord
 
 CONFIG = {"agent": "dqn", "env": {"scenario": "random-2"}, "total_timesteps": 100, "seed": 0}
 
@@ -88,7 +88,23 @@ def test_delete_refuses_a_living_run(run_dir: Path) -> None:
     assert call("delete", "first", "--yes", runs_dir=run_dir.parent) == 0
 
 
-@pytest.mark.parametrize("action", ["show", "delete"])
+@pytest.mark.parametrize("command", ["pause", "resume", "stop", "checkpoint"])
+def test_a_running_trainer_gets_orders(
+    run_dir: Path, command: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with RunLock(run_dir):
+        assert call(command, "first", "--json", runs_dir=run_dir.parent) == 0
+    assert json.loads(capsys.readouterr().out)["sent"] == command
+    assert [message.command for message in ControlInbox(run_dir).drain()] == [command]
+
+
+def test_nobody_there_to_pause(run_dir: Path) -> None:
+    with pytest.raises(RunError, match="no trainer is running there"):
+        call("pause", "first", runs_dir=run_dir.parent)
+    assert ControlInbox(run_dir).drain() == []
+
+
+@pytest.mark.parametrize("action", ["show", "delete", "pause"])
 def test_unknown_run(tmp_path: Path, action: str) -> None:
     with pytest.raises(RunError, match="second: no run in"):
         call(action, "second", runs_dir=tmp_path)
