@@ -123,6 +123,7 @@ class PolicyLink:
                 self._failed = source
                 if not has_other:
                     self._loaded = self._fields = self.snapshot = None
+                    self._asked = None
                 if source == self._source:
                     self._source = self._loaded.source if self._loaded else ""
                     self._wants_live = self.is_live

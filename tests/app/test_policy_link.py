@@ -118,7 +118,7 @@ def test_a_rest_after_many_deaths_loses_no_policy(link, notices, make_rest, untr
 def test_a_policy_that_is_gone_when_its_process_is_restarted_is_gone(
     link, notices, make_rest, twins
 ):
-    first, _ = twins
+    first, second = twins
     link.load(str(first))
     until(link, lambda _: link.is_loaded, make_rest(1))
     first.unlink()
@@ -126,6 +126,9 @@ def test_a_policy_that_is_gone_when_its_process_is_restarted_is_gone(
     until(link, lambda _: not link.is_loaded, make_rest(1), {Q_MAP})
     assert link.snapshot is None
     assert any("no such checkpoint" in text for text in texts(notices))
+    first.symlink_to(second.resolve())
+    link.load(str(first))
+    until(link, lambda _: has_q_map(link, first), make_rest(1), {Q_MAP})
 
 
 def texts(notices):
