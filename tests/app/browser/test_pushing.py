@@ -68,6 +68,12 @@ def test_dragging_with_the_right_button_moves_the_camera_and_pushes_nothing(page
     page.look_from_top()
 
 
+def test_a_persons_own_push_is_called_theirs(page: Any) -> None:
+    page.press("2")
+    page.click_table(-0.55, 0.62)
+    page.wait(lambda: "you: right from (-0.55, 0.62)" in page.page.inner_text("body"))
+
+
 def test_undo_brings_the_blocks_back(page: Any) -> None:
     x, y, _ = before = page.position("/blocks/0")
     page.press("2")
