@@ -14,6 +14,7 @@ from singulate.bench.dashboard_process import (
     running_dashboard,
     running_trainer,
 )
+from singulate.bench.dashboard_socket import open_socket
 from singulate.bench.measurement import BenchOptions, Measurement
 
 NUM_CLICKS = 20
@@ -36,6 +37,8 @@ def bench_dashboard(options: BenchOptions) -> Iterator[Measurement]:
         with running_trainer(run_dir):
             alone = [pushes_per_second(run_dir, seconds)]
             with running_dashboard(directory, run_dir) as url:
+                with open_socket(url) as socket:
+                    undrawn = [socket.click(*_place(i)) for i in range(NUM_CLICKS)]
                 with open_page(url, directory, niceness=19):
                     time.sleep(_SETTLE_S)
                     remote = pushes_per_second(run_dir, seconds)
@@ -45,6 +48,7 @@ def bench_dashboard(options: BenchOptions) -> Iterator[Measurement]:
                     clicks = [page.click(*_place(i)) for i in range(NUM_CLICKS)]
                     frame_rate = page.frames_per_second(2.0)
             alone.append(pushes_per_second(run_dir, seconds))
+    yield from _undrawn_clicks(undrawn)
     yield from _clicks(clicks, frame_rate)
     yield from _rates(alone, remote, local)
 
@@ -53,12 +57,21 @@ def _place(index: int) -> tuple[float, float]:
     return _FREE_PLACES[index % len(_FREE_PLACES)]
 
 
+def _undrawn_clicks(seconds: Sequence[float]) -> Iterator[Measurement]:
+    note = f"{len(seconds)} clicks over the page's websocket, an agent trains, nothing is drawn"
+    motion = 1e3 * np.array(seconds)
+    yield Measurement("click to motion at the server, median", float(np.median(motion)), "ms", note)
+    yield Measurement("click to motion at the server, max", float(motion.max()), "ms", note)
+
+
 def _clicks(clicks: Sequence[ClickTimes], frame_rate: float) -> Iterator[Measurement]:
     note = f"{len(clicks)} clicks, an agent trains, software rendering"
     motion = 1e3 * np.array([click.motion for click in clicks])
     picture = 1e3 * np.array([click.picture for click in clicks])
-    yield Measurement("click to motion, median", float(np.median(motion)), "ms", note)
-    yield Measurement("click to motion, max", float(motion.max()), "ms", note)
+    yield Measurement(
+        "click to motion in the browser, median", float(np.median(motion)), "ms", note
+    )
+    yield Measurement("click to motion in the browser, max", float(motion.max()), "ms", note)
     yield Measurement("click to picture, median", float(np.median(picture)), "ms", note)
     size = f"{VIEWPORT[0]} x {VIEWPORT[1]}"
     yield Measurement("frames of the page", frame_rate, "1/s", f"{size}, software rendering")
