@@ -8,7 +8,8 @@ from typing import Any
 
 import msgspec.msgpack
 import zstandard
-from websockets.sync.client import ClientConnection, connect
+from websockets.sync.client import connect
+from websockets.sync.connection import Connection
 from websockets.typing import Origin, Subprotocol
 
 _TIMEOUT_S = 30.0
@@ -47,7 +48,7 @@ def open_socket(url: str) -> Iterator["DashboardSocket"]:
 class DashboardSocket:
     """A page that draws nothing; see `open_socket`."""
 
-    def __init__(self, connection: ClientConnection) -> None:
+    def __init__(self, connection: Connection) -> None:
         self._connection = connection
 
     def click(self, x: float, y: float) -> float:
