@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 def add_parser(subparsers: "Subparsers") -> None:
     """Add the command to a parser."""
     defaults = BenchOptions()
-    text = "pushes per second, time to a reward map, the page's response and its cost"
+    text = "speed of pushes, of learning and of reward maps; the page's response and cost"
     parser = subparsers.add_parser("bench", help=text, description=text)
     parser.add_argument(
         "names", nargs="*", metavar="NAME", help=f"{', '.join(BENCHMARKS)} (default: all)"

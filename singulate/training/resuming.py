@@ -2,8 +2,7 @@
 
 from stable_baselines3.common.base_class import BaseAlgorithm
 
-from singulate.checkpoints import read_checkpoint
-from singulate.checkpoints.latest import list_checkpoints
+from singulate.checkpoints import list_checkpoints, read_checkpoint
 from singulate.exceptions import CheckpointError
 from singulate.runs import RunDirectory, RunReader
 from singulate.training.seeded_episodes import SeededEpisodes

@@ -7,17 +7,14 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import torch
-from stable_baselines3.common.base_class import BaseAlgorithm
-from stable_baselines3.common.logger import Logger
-from stable_baselines3.common.vec_env import DummyVecEnv
 
-from singulate.agents.reward_scale import ScaledReward
 from singulate.checkpoints.durable import replace_file
 from singulate.envs import PushEnv
 from singulate.runs import Heartbeat, RunDirectory, RunLock, RunStatus
 from singulate.training.callback import SessionCallback
 from singulate.training.config import TrainingConfig
 from singulate.training.controls import Controls, stop_on_signals
+from singulate.training.model import build_training_model
 from singulate.training.resuming import resume_training
 from singulate.training.seeded_episodes import SeededEpisodes
 from singulate.training.session import Links, Progress, TrainingSession, TrainingStopped
@@ -83,7 +80,7 @@ def train(
         env = PushEnv(None, **config.env.to_dict())
         stack.callback(env.close)
         episodes = SeededEpisodes(env, config.seed)
-        model = _build_model(config, episodes)
+        model = build_training_model(config, episodes)
         resumed_step = resume_training(model, episodes, run) if resume else None
         if resume:
             text = json.dumps(config.to_dict(), indent=2) + "\n"
@@ -94,15 +91,6 @@ def train(
         if resumed_step:
             session.mark_checkpoint()
         return _learn(session)
-
-
-def _build_model(config: TrainingConfig, episodes: SeededEpisodes) -> BaseAlgorithm:
-    env = DummyVecEnv([lambda: ScaledReward(episodes)])
-    model = config.kind.build_model(
-        config.resolved_agent_config, env, config.env.observation, config.seed
-    )
-    model.set_logger(Logger(folder=None, output_formats=[]))
-    return model
 
 
 def _learn(session: TrainingSession) -> TrainingResult:
