@@ -48,7 +48,8 @@ class EnvConfig:
         if pushes is not None and not (is_count and 1 <= pushes <= MAX_PUSHES_LIMIT):
             raise InvalidValueError("max_pushes", pushes, f"1 to {MAX_PUSHES_LIMIT}, or None")
         goal = self.goal_separation
-        if not (isinstance(goal, int | float) and math.isfinite(goal) and 0.0 < goal <= 1.0):
+        is_number = isinstance(goal, int | float) and not isinstance(goal, bool)
+        if not (is_number and math.isfinite(goal) and 0.0 < goal <= 1.0):
             raise InvalidValueError("goal_separation", goal, "more than 0, at most 1 [m]")
 
     @property

@@ -43,6 +43,6 @@ def make_reward(name: str) -> RewardFunction:
     Raises:
         InvalidValueError: If there is none of this name.
     """
-    if name not in REWARDS:
+    if not isinstance(name, str) or name not in REWARDS:
         raise InvalidValueError("reward", name, ", ".join(REWARDS))
     return REWARDS[name]

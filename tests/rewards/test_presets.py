@@ -41,3 +41,9 @@ def test_an_unknown_name_is_refused_in_one_line(name: str) -> None:
     assert message.startswith(f"reward: {name!r} is not allowed")
     assert "paper, separation, start, start_then_separation" in message
     assert "\n" not in message
+
+
+@pytest.mark.parametrize("name", [["paper"], {}, None, 3])
+def test_a_name_of_a_wrong_type_is_refused(name: object) -> None:
+    with pytest.raises(InvalidValueError, match="reward: "):
+        make_reward(name)  # type: ignore[arg-type]
