@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from singulate.checkpoints.durable import sync_directory, write_synced
-from singulate.checkpoints.manifest import FILE_NAME, MANIFEST_NAME, FileEntry, Manifest
+from singulate.checkpoints.manifest import FILE_NAME, FORMAT, MANIFEST_NAME, FileEntry, Manifest
 from singulate.checkpoints.tensors import encode_tensors
 from singulate.exceptions import CheckpointError
 
@@ -76,6 +76,27 @@ def save_checkpoint(
     return directory
 
 
+def check_replaceable(directory: Path) -> None:
+    """Check that saving a checkpoint there destroys nothing but a checkpoint.
+
+    Its manifest may be damaged, as long as it says whose it is.
+
+    Raises:
+        CheckpointError: If something else stands there.
+        OSError: If it cannot be looked at.
+    """
+    if not os.path.lexists(directory):
+        return
+    if directory.is_dir() and not any(directory.iterdir()):
+        return
+    manifest = directory / MANIFEST_NAME
+    if manifest.is_file():
+        with manifest.open("rb") as file:
+            if f'"format": "{FORMAT}"'.encode() in file.read(1024):
+                return
+    raise CheckpointError(f"{directory}: is there already and is not a checkpoint")
+
+
 def tidy(parent: Path) -> None:
     """Remove what a killed writer left behind; one that was being replaced is put back.
 
@@ -121,11 +142,10 @@ def _is_being_written(partial: Path) -> bool:
 
 
 def _put_in_place(partial: Path, directory: Path) -> None:
+    check_replaceable(directory)
     if not directory.exists() or not any(directory.iterdir()):
         partial.rename(directory)
         return
-    if not (directory / MANIFEST_NAME).is_file():
-        raise CheckpointError(f"{directory}: is there already and is not a checkpoint")
     replaced = directory.with_name(f".{directory.name}.{secrets.token_hex(4)}.replaced")
     directory.rename(replaced)
     try:

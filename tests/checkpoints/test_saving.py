@@ -64,6 +64,22 @@ def test_a_directory_that_is_no_checkpoint_is_not_replaced(tmp_path: Path) -> No
     assert [p.name for p in tmp_path.iterdir()] == ["thesis"]
 
 
+@pytest.mark.parametrize("manifest", ['{"name": "web app"}', "[]", "not json", ""])
+def test_a_manifest_of_something_else_protects_its_directory(tmp_path: Path, manifest: str) -> None:
+    precious = tmp_path / "extension"
+    precious.mkdir()
+    (precious / "manifest.json").write_text(manifest)
+    with pytest.raises(CheckpointError, match="not a checkpoint"):
+        save_checkpoint(precious, WEIGHTS, MANIFEST)
+    assert (precious / "manifest.json").read_text() == manifest
+
+
+def test_a_damaged_checkpoint_may_be_replaced(save) -> None:
+    manifest = save() / "manifest.json"
+    manifest.write_bytes(manifest.read_bytes()[:200])
+    assert read_checkpoint(save()).manifest.step == 100
+
+
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
 def test_weights_that_are_not_finite_are_refused(tmp_path: Path, value: float) -> None:
     with pytest.raises(CheckpointError, match="w: holds values that are not finite"):
