@@ -4,6 +4,7 @@ stable-baselines3's own files are pickles and leave out the random generators.
 """
 
 import json
+import math
 from collections.abc import Mapping
 from typing import Any
 
@@ -82,12 +83,21 @@ def restore_training(
             restore_replay(buffer, observation, values["replay"], tensors)
         model._last_obs = episodes.restore(values["episodes"])[None]
         model._last_episode_starts = np.array(values["episode_starts"], dtype=np.bool_)
-        for name, value in values["counters"].items():
-            setattr(model, name, value)
+        for name in COUNTERS:
+            if hasattr(model, name):
+                setattr(model, name, _counter(name, values["counters"][name], getattr(model, name)))
         restore_generators(_generators(model), values["generators"])
         restore_global_generators(values["random"], tensors)
     except (KeyError, ValueError, TypeError, RuntimeError, IndexError) as error:
         raise CheckpointError(f"checkpoint: training state does not fit: {error}") from error
+
+
+def _counter(name: str, value: object, present: int | float) -> int | float:
+    """The value, if it is a number of the present one's type that counts something."""
+    is_number = isinstance(value, int | float) and type(value) is type(present)
+    if not is_number or not math.isfinite(value) or value < 0:
+        raise ValueError(f"{name} is {value!r:.50}")
+    return value
 
 
 def _replay_buffer(model: BaseAlgorithm) -> ReplayBuffer | None:
