@@ -3,7 +3,6 @@
 import argparse
 import json
 import sys
-from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +12,7 @@ from singulate.envs import ACTION_ENCODINGS, OBSERVATIONS, EnvConfig
 from singulate.exceptions import InvalidValueError
 from singulate.paths import default_runs_directory
 from singulate.rewards import REWARDS
-from singulate.runs import RunDirectory
+from singulate.runs import RunDirectory, new_run_directory
 from singulate.runs.json_text import parse_json_object
 from singulate.training.config import TrainingConfig
 
@@ -128,13 +127,7 @@ def _parse_setting(text: str) -> tuple[str, Any]:
 
 
 def _new_run_dir(config: TrainingConfig) -> Path:
-    now = datetime.now().strftime("%Y%m%d-%H%M%S")
-    name = f"{config.agent}-{config.env.scenario}-seed{config.seed}-{now}"
-    directory = default_runs_directory() / name
-    for number in range(2, 1000):
-        if not directory.exists():
-            break
-        directory = default_runs_directory() / f"{name}-{number}"
+    directory = new_run_directory(default_runs_directory(), config.agent, config.env.scenario)
     print(f"Run directory: {directory}", file=sys.stderr)
     return directory
 

@@ -6,6 +6,7 @@ from singulate.runs.exporting import export_run
 from singulate.runs.heartbeat import Heartbeat
 from singulate.runs.listing import RunSummary, list_runs
 from singulate.runs.lock import RunLock, lock_holder
+from singulate.runs.naming import new_run_directory
 from singulate.runs.push_record import OUTCOMES, PushRecord
 from singulate.runs.reader import EventRecord, MetricSeries, RunReader, Starts
 from singulate.runs.record import RunRecord
@@ -34,6 +35,7 @@ __all__ = [
     "list_runs",
     "lock_holder",
     "log_tail",
+    "new_run_directory",
     "read_status",
     "send_control",
 ]

@@ -1,4 +1,5 @@
 import json
+import re
 import signal
 import subprocess
 import sys
@@ -34,6 +35,16 @@ def test_train_resume_and_evaluate(tmp_path: Path, capsys: pytest.CaptureFixture
     assert sum(result["failures"].values()) + result["num_successes"] == 12
     assert main(arguments) == 0
     assert "95 % interval" in capsys.readouterr().out
+
+
+def test_a_run_without_a_name_is_named_by_time_agent_and_scenario(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("SINGULATE_RUNS", str(tmp_path))
+    options = ("--agent", "dqn", "--scenario", "fixed-2", "--steps", "2", *SMALL)
+    assert main(["train", *options]) == 0
+    (run_dir,) = tmp_path.iterdir()
+    assert re.fullmatch(r"\d{8}-\d{6}-dqn-fixed-2", run_dir.name)
 
 
 def test_an_existing_run_is_not_touched(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
