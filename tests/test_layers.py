@@ -12,7 +12,7 @@ ROOT = Path(__file__).resolve().parent.parent
 
 LAYERS: tuple[tuple[str, ...], ...] = (
     ("exceptions",),
-    ("geometry", "paths", "registration"),
+    ("geometry", "outcomes", "paths", "registration"),
     ("simulation", "perception"),
     ("rewards",),
     ("envs", "checkpoints", "runs"),

@@ -9,9 +9,8 @@ from singulate.agents.policy import Policy
 from singulate.envs import EnvConfig, PushEnv, make_observation, scene_seed
 from singulate.envs.outcome_kind import outcome_kind
 from singulate.exceptions import SimulationError
+from singulate.outcomes import SIMULATION_ERROR
 from singulate.rewards import TERMS, make_reward
-
-SIMULATION_ERROR = "simulation_error"
 
 
 class EpisodeSpan(NamedTuple):
@@ -32,7 +31,7 @@ class EpisodeResult:
         terms: Weighted share of each reward term in it, by name.
         num_pushes: Pushes made.
         is_success: Whether it ended with all blocks apart.
-        outcome: What became of its last push: a kind of outcome, or ``simulation_error``.
+        outcome: What became of its last push: one of `OUTCOMES`.
     """
 
     index: int

@@ -7,7 +7,7 @@ from singulate.runs.heartbeat import Heartbeat
 from singulate.runs.listing import RunSummary, list_runs
 from singulate.runs.lock import RunLock, lock_holder
 from singulate.runs.naming import new_run_directory
-from singulate.runs.push_record import OUTCOMES, PushRecord
+from singulate.runs.push_record import PushRecord
 from singulate.runs.reader import EventRecord, MetricSeries, RunReader, Starts
 from singulate.runs.record import RunRecord
 from singulate.runs.run_directory import RunDirectory
@@ -15,7 +15,6 @@ from singulate.runs.status import RunState, RunStatus, log_tail, read_status
 
 __all__ = [
     "CONTROL_COMMANDS",
-    "OUTCOMES",
     "ControlInbox",
     "ControlMessage",
     "EventRecord",

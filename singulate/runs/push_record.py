@@ -7,9 +7,7 @@ from dataclasses import dataclass
 
 from singulate.exceptions import InvalidValueError
 from singulate.geometry import BlockPose, Poses, Push
-
-OUTCOMES = ("success", "empty", "inside", "off_table", "not_separated")
-"""What became of a push; ``empty`` moved nothing by 5 mm."""
+from singulate.outcomes import OUTCOMES
 
 
 @dataclass(frozen=True)

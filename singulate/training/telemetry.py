@@ -36,6 +36,7 @@ class Telemetry:
         Raises:
             RunError: If a commit was due and failed; the rows are kept for the next one.
         """
+        error = info.get("simulation_error", "")
         self.record.add_push(
             PushRecord(
                 step=step,
@@ -44,11 +45,13 @@ class Telemetry:
                 reward=info["reward"],
                 terms=info["reward_terms"],
                 is_success=info["is_success"],
-                outcome=outcome_kind(info["outcome"], info["is_success"]),
+                outcome=outcome_kind(info["outcome"], info["is_success"], bool(error)),
                 poses=info["poses_before"],
                 predicted=predicted,
             )
         )
+        if error:
+            self.record.add_event("simulation_error", step=step, text=error)
 
     def add_metrics(self, step: int, values: Mapping[str, float]) -> None:
         """Record metrics by name.
