@@ -14,7 +14,9 @@ from singulate.agents.policy import Policy
 from singulate.agents.random_policy import RandomPolicy
 from singulate.cli.progress import CountBar
 from singulate.cli.publishing import publish, run_config
+from singulate.cli.targets import check_checkpoint_target
 from singulate.envs import EnvConfig
+from singulate.exceptions import InvalidValueError
 
 if TYPE_CHECKING:
     from singulate.evaluation import Evaluation
@@ -66,6 +68,8 @@ def add_parser(subparsers: "Subparsers") -> None:
 
 
 def _run(args: argparse.Namespace) -> int:
+    if args.publish is not None:
+        _check_publishing(args)
     policy, source, env_config = _load(args.checkpoint)
     changes = {name: getattr(args, name) for name in ENV_OPTIONS}
     env_config = replace(env_config, **{k: v for k, v in changes.items() if v is not None})
@@ -96,6 +100,16 @@ def _run(args: argparse.Namespace) -> int:
     else:
         _print_text(about, evaluation)
     return 0
+
+
+def _check_publishing(args: argparse.Namespace) -> None:
+    """What is published is measured on the agent's own task."""
+    for name in ENV_OPTIONS:
+        value = getattr(args, name)
+        if value is not None:
+            option = "--" + name.replace("_", "-")
+            raise InvalidValueError(option, value, "nothing beside --publish")
+    check_checkpoint_target("publish", args.publish)
 
 
 def _evaluate(

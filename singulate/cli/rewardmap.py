@@ -10,6 +10,7 @@ import numpy as np
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
 
+from singulate.cli.targets import check_file_target
 from singulate.engine import LocalEngine
 from singulate.exceptions import InvalidValueError
 from singulate.geometry import Direction, Poses, Workspace, standing_pose
@@ -51,8 +52,8 @@ def _run(args: argparse.Namespace) -> int:
         reward=args.reward,
         exact=args.exact,
     )
-    if args.out is not None and not args.out.parent.is_dir():
-        raise InvalidValueError("out", str(args.out), "a file in a directory that exists")
+    if args.out is not None:
+        check_file_target("out", args.out)
     began = time.monotonic()
     with LocalEngine(args.workers, niceness=0) as engine:
         reward_map = _compute(request, engine, is_quiet=args.json)

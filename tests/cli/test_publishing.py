@@ -37,6 +37,40 @@ def test_only_a_run_can_be_published_from(
     assert "only a run's checkpoint" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize(
+    "option",
+    [
+        ("--scenario", "random-3"),
+        ("--reward", "start"),
+        ("--max-pushes", "2"),
+        ("--goal-separation", "0.05"),
+    ],
+)
+def test_what_is_published_is_measured_on_the_own_task(
+    option: tuple[str, str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["evaluate", "any", *option, "--publish", str(tmp_path / "mine")]) == 2
+    error = capsys.readouterr().err
+    assert error.startswith(f"singulate: error: {option[0]}: ")
+    assert "nothing beside --publish" in error
+    assert error.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("target", "said"),
+    [("thesis", "not a checkpoint"), ("thesis/chapter1.tex", "not a checkpoint")],
+)
+def test_a_target_that_cannot_be_used_is_found_first(
+    target: str, said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "thesis").mkdir()
+    (tmp_path / "thesis" / "chapter1.tex").touch()
+    assert main(["evaluate", "missing", "--publish", str(tmp_path / target)]) == 2
+    assert said in capsys.readouterr().err
+    assert main(["evaluate", "missing", "--publish", "/proc/mine"]) == 2
+    assert "can be written" in capsys.readouterr().err
+
+
 def test_the_command_names_what_is_not_default() -> None:
     env = EnvConfig("random-3", observation="mask", action="grid", max_pushes=2)
     config = TrainingConfig("dqn", env, 500, seed=4, agent_config={"net_arch": [8, 8]})

@@ -49,6 +49,8 @@ def test_people_get_lines_and_a_bar(capsys: pytest.CaptureFixture[str]) -> None:
         (["--goal-separation", "nan"], "goal_separation"),
         (["--workers", "0"], "num_workers"),
         (["--out", "/no/such/directory/map.npz"], "out"),
+        (["--out", "/proc/map.npz"], "out: '/proc/map.npz' is not allowed; .* can be written"),
+        (["--out", "/"], "out: '/' is not allowed; allowed: a file, this is a directory"),
     ],
 )
 def test_bad_values_are_refused_before_any_work(arguments: list[str], key: str) -> None:

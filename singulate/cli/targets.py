@@ -1,0 +1,39 @@
+"""Finds out that something cannot be written there before it is computed."""
+
+import tempfile
+from pathlib import Path
+
+from singulate.checkpoints import check_replaceable
+from singulate.exceptions import InvalidValueError
+
+
+def check_file_target(key: str, path: Path) -> None:
+    """Check that a file can be put there.
+
+    Raises:
+        InvalidValueError: If it is a directory, or its directory is missing or not writable.
+    """
+    if path.is_dir():
+        raise InvalidValueError(key, str(path), "a file, this is a directory")
+    if not path.parent.is_dir():
+        raise InvalidValueError(key, str(path), "a file in a directory that exists")
+    _check_writable(key, path, path.parent)
+
+
+def check_checkpoint_target(key: str, path: Path) -> None:
+    """Check that a checkpoint can be put there; missing parents would be made.
+
+    Raises:
+        InvalidValueError: If it cannot be written.
+        CheckpointError: If something that is no checkpoint stands there.
+    """
+    check_replaceable(path)
+    _check_writable(key, path, next(p for p in path.absolute().parents if p.exists()))
+
+
+def _check_writable(key: str, path: Path, directory: Path) -> None:
+    try:
+        tempfile.TemporaryFile(dir=directory).close()
+    except OSError as error:
+        allowed = f"a place that can be written ({error.strerror or error})"
+        raise InvalidValueError(key, str(path), allowed) from None
