@@ -94,10 +94,10 @@ def restore_training(
 
 def _counter(name: str, value: object, present: int | float) -> int | float:
     """The value, if it is a number of the present one's type that counts something."""
-    is_number = isinstance(value, int | float) and type(value) is type(present)
-    if not is_number or not math.isfinite(value) or value < 0:
-        raise ValueError(f"{name} is {value!r:.50}")
-    return value
+    if isinstance(value, int | float) and type(value) is type(present):
+        if math.isfinite(value) and value >= 0:
+            return value
+    raise ValueError(f"{name} is {value!r:.50}")
 
 
 def _replay_buffer(model: BaseAlgorithm) -> ReplayBuffer | None:
