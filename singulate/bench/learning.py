@@ -52,4 +52,6 @@ def _measurements(config: TrainingConfig, spent: "LearningTime") -> Iterator[Mea
         share = f"{seconds / spent.total_s:.0%} of the time; {what}"
         yield Measurement(f"{agent}, {part}", 1e3 * seconds / spent.num_pushes, "ms/push", share)
     memory = spent.peak_bytes / 2**20
-    yield Measurement(f"{agent}, peak memory", memory, "MiB", "resident, of the training process")
+    yield Measurement(
+        f"{agent}, peak memory", memory, "MiB", "resident; a replay buffer fills up later"
+    )

@@ -94,9 +94,9 @@ def restore_training(
 
 def _counter(name: str, value: object, present: int | float) -> int | float:
     """The value, if it is a number of the present one's type that counts something."""
-    if isinstance(value, int | float) and type(value) is type(present):
-        if math.isfinite(value) and value >= 0:
-            return value
+    is_same_type = type(value) is type(present)
+    if is_same_type and isinstance(value, int | float) and 0 <= value < math.inf:
+        return value
     raise ValueError(f"{name} is {value!r:.50}")
 
 
