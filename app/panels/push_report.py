@@ -14,6 +14,7 @@ OUTCOMES = {
     "inside": "started inside a block",
     "off_table": "a block left the table",
     "not_separated": "not separated",
+    "simulation_error": "the physics went wrong; undone",
 }
 TERM_LABELS = {
     "start": "close start",

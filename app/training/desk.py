@@ -16,7 +16,7 @@ from app.snapshot import RunSnapshot
 from app.training.catalogue import find_policies, find_runs
 from app.training.launched import Launched
 from app.training.run_watch import RunWatch
-from app.training.starting import new_run_dir, training_config
+from app.training.starting import training_config
 from singulate.exceptions import RunError
 from singulate.runs.control import send_control
 from singulate.runs.run_directory import RunDirectory
@@ -137,7 +137,7 @@ class TrainingDesk:
     def _start(self, command: StartTraining) -> None:
         self._check_free()
         config = training_config(command)
-        run_dir = new_run_dir(self._runs_dir, config)
+        run_dir = new_run_directory(self._runs_dir, config.agent, config.env.scenario)
         self._launched = Launched.start(config, run_dir)
         self._forget_watch()
         self._awaits_run = True

@@ -1,8 +1,6 @@
-"""What a person asked to train: a checked configuration and a directory for the run."""
+"""What a person asked to train: a checked configuration."""
 
-import time
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
 from app.commands import StartTraining
@@ -41,17 +39,6 @@ def training_config(command: StartTraining) -> TrainingConfig:
             "seed": command.seed,
         }
     )
-
-
-def new_run_dir(runs_dir: Path, config: TrainingConfig) -> Path:
-    """A directory that is not there yet, named after the time, the agent and the scenario."""
-    stamp = time.strftime("%Y%m%d-%H%M%S")
-    base = f"{stamp}-{config.agent}-{config.env.scenario}"
-    path, number = runs_dir / base, 1
-    while path.exists():
-        number += 1
-        path = runs_dir / f"{base}-{number}"
-    return path
 
 
 def _mapping(key: str, value: object) -> Mapping[str, Any]:
