@@ -19,6 +19,7 @@ from app.training.run_watch import RunWatch
 from app.training.starting import training_config
 from singulate.exceptions import RunError
 from singulate.runs.control import send_control
+from singulate.runs.naming import new_run_directory
 from singulate.runs.run_directory import RunDirectory
 
 _LIST_INTERVAL_S = 2.0
