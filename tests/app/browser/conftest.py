@@ -203,7 +203,7 @@ class LabPage:
             self.errors.append(f"{response.status} {response.url}")
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="package")
 def browser() -> Iterator[Browser]:
     path = next(filter(None, map(shutil.which, CHROMIUM_NAMES)), None)
     flags = [*FLAGS, "--no-sandbox"] if os.geteuid() == 0 else FLAGS
@@ -213,7 +213,7 @@ def browser() -> Iterator[Browser]:
         chromium.close()
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="package")
 def app_process(tmp_path_factory: pytest.TempPathFactory) -> Iterator[subprocess.Popen[str]]:
     log = (tmp_path_factory.mktemp("app") / "stderr.txt").open("w+")
     process = subprocess.Popen(
@@ -242,7 +242,7 @@ def app_process(tmp_path_factory: pytest.TempPathFactory) -> Iterator[subprocess
     assert rest == "", "the address is the only line that the program prints"
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="package")
 def app_url(app_process: subprocess.Popen[str]) -> str:
     assert app_process.stdout is not None
     line = app_process.stdout.readline()
@@ -250,7 +250,7 @@ def app_url(app_process: subprocess.Popen[str]) -> str:
     return line.split()[-1]
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="package")
 def open_page(browser: Browser, app_url: str) -> Iterator[Callable[[], LabPage]]:
     """Opens windows of separate visitors."""
     contexts: list[BrowserContext] = []
@@ -264,7 +264,7 @@ def open_page(browser: Browser, app_url: str) -> Iterator[Callable[[], LabPage]]
         context.close()  # closing twice does no harm
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="package")
 def shared_page(open_page: Callable[[], LabPage]) -> LabPage:
     return open_page()
 
