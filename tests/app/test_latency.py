@@ -3,12 +3,15 @@
 import statistics
 import time
 
+import pytest
+
 from app.commands import PushNow, ResetScene, StartTraining, Undo
 from singulate.geometry import Direction, Push
 
 PERIOD_S = 1 / 30
 
 
+@pytest.mark.slow
 def test_a_push_starts_within_100_ms_beside_a_trainer_and_reward_maps(make_bench):
     bench = make_bench(scenario="random-8", seed=0, num_workers=2)
     bench.do(StartTraining("dqn", "random-2", 1_000_000, 0, {"checkpoint_every": 100_000}))

@@ -158,6 +158,7 @@ def test_a_frozen_push_ends_as_one_that_was_never_frozen(bench):
     assert bench.until(lambda s: not s.scene.is_pushing).scene.poses == straight
 
 
+@pytest.mark.slow
 def test_playback_keeps_real_time(bench):
     push = Push.cardinal((-0.6, 0.7), Direction.RIGHT, 0.8)
     durations = {}
@@ -222,6 +223,7 @@ def test_a_killed_process_comes_back_with_its_scene(bench):
     assert push_and_rest(bench, into_the_row()).poses == pushed.poses
 
 
+@pytest.mark.slow
 def test_poses_come_thirty_times_a_second_and_stop_when_all_is_still():
     process = SupervisedProcess(
         "The scene process",

@@ -27,11 +27,11 @@ def test_results_come_as_tasks_finish(engine: Engine) -> None:
     assert [r.index for r in batch] == [1, 0]
 
 
-def test_poll_gives_up_after_its_timeout(engine: Engine) -> None:
+def test_poll_gives_up_after_its_timeout(engine: Engine, pace: float) -> None:
     batch = engine.submit(tasks.sleep, [5.0], object)
     began = time.monotonic()
     assert batch.poll(timeout_s=0.05) is None
-    assert time.monotonic() - began < 1.0
+    assert time.monotonic() - began < 1.0 * pace
     assert not batch.is_done
 
 
@@ -68,27 +68,29 @@ def test_a_task_that_kills_two_workers_is_reported_and_others_finish(engine: Eng
     assert all(r.error is not None and "2 workers died" in r.error for r in results)
 
 
-def test_cancel_drops_what_has_not_begun(engine: Engine, tmp_path: Path) -> None:
+def test_cancel_drops_what_has_not_begun(engine: Engine, tmp_path: Path, pace: float) -> None:
     marks = [(str(tmp_path / str(i)), 0.02) for i in range(100)]
     batch = engine.submit(tasks.mark_and_sleep, marks, object)
     assert batch.poll(timeout_s=20.0) is not None
     began = time.monotonic()
     batch.cancel()
-    assert time.monotonic() - began < 0.05
+    assert time.monotonic() - began < 0.05 * pace
     assert batch.is_done
     assert list(batch) == []
     time.sleep(1.5)  # enough for all of them
     assert len(list(tmp_path.iterdir())) < 20
 
 
-def test_after_a_cancel_the_next_batch_waits_for_running_tasks_only(engine: Engine) -> None:
+def test_after_a_cancel_the_next_batch_waits_for_running_tasks_only(
+    engine: Engine, pace: float
+) -> None:
     list(engine.submit(tasks.square, [1], object))
     batch = engine.submit(tasks.sleep, [0.02] * 200, object)
     assert batch.poll(timeout_s=20.0) is not None
     batch.cancel()
     began = time.monotonic()
     assert next(iter(engine.submit(tasks.square, [3], object))).value == 9
-    assert time.monotonic() - began < 0.5
+    assert time.monotonic() - began < 0.5 * pace
 
 
 def test_a_short_batch_is_not_held_up_by_a_long_one(engine: Engine) -> None:
@@ -104,12 +106,12 @@ def test_large_tasks_and_results_pass(engine: Engine) -> None:
     assert all(r.value == blob[::-1] for r in engine.submit(tasks.big, [blob] * 6, object))
 
 
-def test_a_closed_engine_says_so(engine: Engine) -> None:
+def test_a_closed_engine_says_so(engine: Engine, pace: float) -> None:
     batch = engine.submit(tasks.sleep, [30.0], object)
     began = time.monotonic()
     engine.close()
     engine.close()
-    assert time.monotonic() - began < 5.0
+    assert time.monotonic() - began < 5.0 * pace
     with pytest.raises(EngineError, match="closed"):
         batch.poll()
     with pytest.raises(EngineError, match="closed"):

@@ -1,0 +1,21 @@
+"""What every test may use."""
+
+import time
+
+import pytest
+
+_LOOP = 300_000
+_LOOP_ON_A_CALM_MACHINE_S = 0.02
+
+
+@pytest.fixture
+def pace() -> float:
+    """How much slower than a calm machine this one is right now, at least 1.
+
+    Bounds on times are multiplied with it, so that a busy machine fails no test.
+    """
+    begin = time.perf_counter()
+    count = 0
+    while count < _LOOP:
+        count += 1
+    return max(1.0, (time.perf_counter() - begin) / _LOOP_ON_A_CALM_MACHINE_S)
