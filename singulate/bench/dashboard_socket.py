@@ -33,7 +33,7 @@ _CAMERA: dict[str, Any] = {
 
 @contextmanager
 def open_socket(url: str) -> Iterator["DashboardSocket"]:
-    """Connect to the dashboard as a page does and wait until it has been sent what it shows."""
+    """Connect to the dashboard as a page does and wait until it takes clicks."""
     authority = url.split("://")[1].strip("/")
     with connect(
         f"ws://{authority}",
@@ -42,6 +42,11 @@ def open_socket(url: str) -> Iterator["DashboardSocket"]:
         max_size=None,
     ) as connection:
         connection.send(msgspec.msgpack.encode(_CAMERA))
+        while not any(
+            message["type"] == "ScenePointerEnableMessage"
+            for message in _messages(connection.recv(timeout=_TIMEOUT_S))
+        ):
+            continue
         yield DashboardSocket(connection)
 
 
@@ -89,11 +94,16 @@ class DashboardSocket:
 
 
 def _moves_pusher(data: bytes | str) -> bool:
+    return any(
+        message["type"] == "SetPositionMessage" and message["name"] == "/pusher"
+        for message in _messages(data)
+    )
+
+
+def _messages(data: bytes | str) -> list[dict[str, Any]]:
     assert isinstance(data, bytes)
     size = int.from_bytes(data[:8], "little")
     packed = int.from_bytes(data[8:_LENGTHS], "little")
     plain = zstandard.decompress(data[_LENGTHS : _LENGTHS + packed], max_output_size=size)
-    return any(
-        message.get("type") == "SetPositionMessage" and message.get("name") == "/pusher"
-        for message in msgspec.msgpack.decode(plain)["messages"]
-    )
+    messages: list[dict[str, Any]] = msgspec.msgpack.decode(plain)["messages"]
+    return messages

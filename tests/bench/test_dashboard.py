@@ -4,6 +4,7 @@ import pytest
 
 from singulate.bench.dashboard_page import open_page
 from singulate.bench.dashboard_process import pushes_per_second, running_dashboard, running_trainer
+from singulate.bench.dashboard_socket import open_socket
 from singulate.exceptions import SingulateError
 
 
@@ -32,6 +33,12 @@ def test_a_click_on_the_real_page_is_timed(tmp_path: Path) -> None:
         assert page.frames_per_second(0.5) > 0.0
     for click in clicks:
         assert 0.0 < click.motion < click.picture < 30.0
+
+
+def test_a_click_over_the_websocket_is_timed(tmp_path: Path) -> None:
+    with running_dashboard(tmp_path) as url, open_socket(url) as socket:
+        assert 0.0 < socket.click(-0.8, -0.7) < 30.0
+        assert 0.0 < socket.click(0.8, -0.7) < 30.0
 
 
 def test_a_dashboard_that_does_not_start_says_why(tmp_path: Path) -> None:
