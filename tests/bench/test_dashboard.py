@@ -26,6 +26,7 @@ def test_speed_is_read_from_a_real_training(tmp_path: Path) -> None:
         pushes_per_second(run_dir, seconds=0.1)
 
 
+@pytest.mark.slow
 @pytest.mark.browser
 def test_a_click_on_the_real_page_is_timed(tmp_path: Path) -> None:
     with running_dashboard(tmp_path) as url, open_page(url, tmp_path, niceness=1) as page:
