@@ -10,7 +10,8 @@ from urllib.parse import quote
 from singulate.exceptions import RunError
 from singulate.runs.schema import version_problem
 
-LOCK_TIMEOUT_S = 1.0
+LOCK_TIMEOUT_S = 5.0
+"""On a slow disk a commit holds the file for more than a second."""
 
 Row = tuple[Any, ...]
 
