@@ -1,7 +1,6 @@
 """The page while an agent trains: how soon a click moves the pusher, what the page costs."""
 
 import tempfile
-import time
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
@@ -18,8 +17,6 @@ from singulate.bench.dashboard_socket import open_socket
 from singulate.bench.measurement import BenchOptions, Measurement
 
 NUM_CLICKS = 20
-_SETTLE_S = 10.0
-"""A page that has just opened still computes its reward map [s]."""
 _FREE_PLACES = ((-0.8, -0.7), (0.8, -0.7), (-0.6, -0.8), (0.6, -0.8))
 """Starts on ``fixed-2`` from which a push upwards meets nothing [m]."""
 
@@ -39,11 +36,11 @@ def bench_dashboard(options: BenchOptions) -> Iterator[Measurement]:
             with running_dashboard(directory, run_dir) as url:
                 with open_socket(url) as socket:
                     undrawn = [socket.click(*_place(i)) for i in range(NUM_CLICKS)]
-                with open_page(url, directory, niceness=19):
-                    time.sleep(_SETTLE_S)
+                with open_page(url, directory, niceness=19) as page:
+                    page.wait_for_reward_map()
                     remote = pushes_per_second(run_dir, seconds)
                 with open_page(url, directory) as page:
-                    time.sleep(_SETTLE_S)
+                    page.wait_for_reward_map()
                     local = pushes_per_second(run_dir, seconds)
                     clicks = [page.click(*_place(i)) for i in range(NUM_CLICKS)]
                     frame_rate = page.frames_per_second(2.0)

@@ -29,6 +29,7 @@ _IS_READY = """() => {
 
 _WATCH = """() => {
     const times = (window.__clickTimes = {pressed: NaN, arrived: NaN, drawn: NaN});
+    window.__fieldChangedAt = performance.now();
     addEventListener("pointerdown", (event) => {
         Object.assign(times, {pressed: event.timeStamp, arrived: NaN, drawn: NaN});
     }, true);
@@ -36,6 +37,9 @@ _WATCH = """() => {
     const push = queue.push;
     queue.push = function (...messages) {
         const isMotion = (m) => m.name === "/pusher" && m.type === "SetPositionMessage";
+        if (messages.some((m) => m.name === "/field")) {
+            window.__fieldChangedAt = performance.now();
+        }
         if (isNaN(times.arrived) && messages.some(isMotion)) {
             times.arrived = performance.now();
             requestAnimationFrame(() => requestAnimationFrame(() => {
@@ -59,6 +63,10 @@ _PROJECT = """([x, y]) => {
 }"""
 
 _IS_AT_REST = """() => window.__viserMutable.nodeRefFromName["/pusher"].visible === false"""
+
+_IS_MAP_COMPLETE = "(quiet_s) => performance.now() - window.__fieldChangedAt > 1e3 * quiet_s"
+_QUIET_S = 5.0
+"""A reward map under way changes the field on the table more often than this [s]."""
 
 _HAS_MOVED = "() => !isNaN(window.__clickTimes.drawn)"
 
@@ -143,6 +151,10 @@ class DashboardPage:
             (times["arrived"] - pressed) / 1e3,
             (times["drawn"] - pressed) / 1e3,
         )
+
+    def wait_for_reward_map(self) -> None:
+        """Wait until the field on the table changes no more: its reward map is complete."""
+        self._page.wait_for_function(_IS_MAP_COMPLETE, arg=_QUIET_S, timeout=2 * _TIMEOUT_MS)
 
     def frames_per_second(self, seconds: float) -> float:
         """Frames that the browser draws a second."""
