@@ -13,41 +13,48 @@ from singulate.perception import perceive
 from singulate.simulation import Scene, make_scenario
 
 SCENARIO = "random-2"
+_MIN_PUSHES = 10
 
 
 def bench_env(options: BenchOptions) -> Iterator[Measurement]:
     """Time whole episodes of one push (reset and step) and the parts of a touching push."""
-    env = PushEnv(scenario=SCENARIO, action="point")
+    for kind, draw in {"uniformly random pushes": _uniform, "touching pushes": _touching}.items():
+        fast, plain = _rates(options.seconds, draw)
+        note = f"{SCENARIO}, reset and step, one process"
+        yield Measurement(kind, fast, "pushes/s", note)
+        yield Measurement(f"{kind}, plain", plain, "pushes/s", f"{note}, every step simulated")
+        yield Measurement(f"{kind}, gain", fast / plain, "", "fast against plain, in turns")
+    yield from _parts(options.seconds, np.random.default_rng(0))
+
+
+def _rates(
+    seconds: float, draw: Callable[[PushEnv, np.random.Generator], object]
+) -> tuple[float, float]:
+    """Pushes per second of the fast and of the plain environment, which take turns.
+
+    A machine whose speed changes meanwhile then changes neither's lead.
+    """
+    envs = [PushEnv(scenario=SCENARIO, action="point", exact=exact) for exact in (False, True)]
+    spent, num_pushes = [0.0, 0.0], 0
     rng = np.random.default_rng(0)
-    note = f"{SCENARIO}, reset and step, one process"
-    try:
-        uniform = _pushes_per_second(env, options.seconds, lambda: _uniform(rng))
-        yield Measurement("uniformly random pushes", uniform, "pushes/s", note)
-        touching = _pushes_per_second(env, options.seconds, lambda: _touching(env, rng))
-        yield Measurement("touching pushes", touching, "pushes/s", note)
-    finally:
-        env.close()
-    yield from _parts(options.seconds, rng)
-
-
-def _pushes_per_second(env: PushEnv, seconds: float, draw: Callable[[], object]) -> float:
-    """Rate of reset and step; drawing the action is not counted."""
-    spent: float = 0.0
-    num_pushes = 0
-    while spent < seconds:
-        began = time.perf_counter()
-        env.reset(seed=num_pushes)
-        spent += time.perf_counter() - began
-        action = draw()
-        began = time.perf_counter()
-        env.step(action)
-        spent += time.perf_counter() - began
+    while num_pushes < _MIN_PUSHES or sum(spent) < 2.0 * seconds:
+        action: object = None
+        for i, env in enumerate(envs):
+            began = time.perf_counter()
+            env.reset(seed=num_pushes)
+            spent[i] += time.perf_counter() - began
+            action = draw(env, rng) if action is None else action
+            began = time.perf_counter()
+            env.step(action)
+            spent[i] += time.perf_counter() - began
         num_pushes += 1
-    return num_pushes / spent
+    for env in envs:
+        env.close()
+    return num_pushes / spent[0], num_pushes / spent[1]
 
 
-def _uniform(rng: np.random.Generator) -> object:
-    return rng.uniform(-1.0, 1.0, 3).astype(np.float32)
+def _uniform(env: PushEnv, rng: np.random.Generator) -> object:
+    return rng.uniform(-1.0, 1.0, env.action_space.shape).astype(np.float32)
 
 
 def _touching(env: PushEnv, rng: np.random.Generator) -> object:
@@ -75,7 +82,7 @@ def _parts(seconds: float, rng: np.random.Generator) -> Iterator[Measurement]:
             moments = [time.perf_counter()]
             scene.push(push)
             moments.append(time.perf_counter())
-            frame = scene.photograph()
+            frame = scene.photograph_blocks()
             moments.append(time.perf_counter())
             perceive(frame, scene.workspace)
             moments.append(time.perf_counter())

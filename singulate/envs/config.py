@@ -26,6 +26,7 @@ class EnvConfig:
         reward: ``paper``, ``separation``, ``start`` or ``start_then_separation``.
         max_pushes: Pushes an episode may take; None leaves it to the scenario.
         goal_separation: Every pair of blocks has to be this far apart, d_goal of Eq. 2 [m].
+        exact: Whether to simulate every step of every push, also what cannot move a block.
 
     Raises:
         InvalidValueError: If a value is not allowed.
@@ -37,6 +38,7 @@ class EnvConfig:
     reward: str = "paper"
     max_pushes: int | None = None
     goal_separation: float = 0.1
+    exact: bool = False
 
     def __post_init__(self) -> None:
         make_scenario(self.scenario)
@@ -51,6 +53,8 @@ class EnvConfig:
         is_number = isinstance(goal, int | float) and not isinstance(goal, bool)
         if not (is_number and math.isfinite(goal) and 0.0 < goal <= 1.0):
             raise InvalidValueError("goal_separation", goal, "more than 0, at most 1 [m]")
+        if not isinstance(self.exact, bool):
+            raise InvalidValueError("exact", self.exact, "true or false")
 
     @property
     def push_limit(self) -> int:

@@ -67,7 +67,7 @@ class PushEnv(gymnasium.Env[Any, Any]):
             raise InvalidValueError("render_mode", render_mode, "rgb_array, or None")
         self.config = EnvConfig.from_dict(settings)
         self.render_mode = render_mode
-        self.task = PushTask(goal_separation=self.config.goal_separation)
+        self.task = PushTask(goal_separation=self.config.goal_separation, exact=self.config.exact)
         self.num_pushes = 0
         """Pushes over this environment's life, which the reward's schedule counts."""
         self._scenario = make_scenario(self.config.scenario)

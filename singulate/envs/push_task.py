@@ -35,19 +35,25 @@ class PushTask:
     Args:
         workspace: The square that the table covers.
         goal_separation: d_goal of Eq. 2 [m].
+        exact: See `Scene`.
     """
 
-    def __init__(self, workspace: Workspace | None = None, goal_separation: float = 0.1) -> None:
+    def __init__(
+        self,
+        workspace: Workspace | None = None,
+        goal_separation: float = 0.1,
+        exact: bool = False,
+    ) -> None:
         self.workspace = workspace or Workspace()
         self.goal_separation = goal_separation
-        self.scene = Scene(self.workspace)
+        self.scene = Scene(self.workspace, exact=exact)
         self._percept: Percept | None = None
 
     @property
     def percept(self) -> Percept:
         """What the camera sees of the scene at rest."""
         if self._percept is None:
-            self._percept = perceive(self.scene.photograph(), self.workspace)
+            self._percept = perceive(self.scene.photograph_blocks(), self.workspace)
         return self._percept
 
     @property
@@ -80,7 +86,7 @@ class PushTask:
 
     def score(self, push: Push, before: Percept, outcome: PushOutcome) -> PushResult:
         """Look again and score a push that the scene has just executed."""
-        if outcome.is_touching:
+        if outcome.is_touching or self.scene.exact:
             self._percept = None
         after = self.percept
         terms = reward_terms(

@@ -1,6 +1,7 @@
 """All that the agent and the reward may know about a scene: what one picture shows."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
@@ -23,15 +24,18 @@ class Percept:
 
     Attributes:
         mask: Pixels that show objects, bool (H, W).
-        distance_map: Distance to the closest object, -1 inside, float32 (H, W) [px].
         label_image: 0 on the background, 1 to K on the segments, int32 (H, W).
         separations: Edge-to-edge distance of every pair of segments, (K * (K - 1) / 2,) [m].
     """
 
     mask: npt.NDArray[np.bool_]
-    distance_map: npt.NDArray[np.float32]
     label_image: npt.NDArray[np.int32]
     separations: npt.NDArray[np.float64]
+
+    @cached_property
+    def distance_map(self) -> npt.NDArray[np.float32]:
+        """Distance to the closest object, -1 inside, float32 (H, W) [px] (paper, section 3.1)."""
+        return distance_map(self.mask)
 
     @property
     def num_segments(self) -> int:
@@ -67,4 +71,4 @@ def perceive(frame: CameraFrame, workspace: Workspace) -> Percept:
     mask = foreground_mask(frame)
     label_image = label_segments(mask)
     separations = segment_separations(label_image, workspace.metres_per_pixel)
-    return Percept(mask, distance_map(mask), label_image, separations)
+    return Percept(mask, label_image, separations)

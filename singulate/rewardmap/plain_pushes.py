@@ -38,18 +38,18 @@ def plain_pushes(
     request: RewardMapRequest, resolution: int, engine: Engine, cancelled: Cancelled
 ) -> Iterator[LevelUpdate]:
     """See `LevelAlgorithm`: every value is what the environment pays for that push."""
-    tool = functools.partial(Prober, request.goal_separation)
+    tool = functools.partial(Prober, request.goal_separation, request.exact)
     values = np.full((len(Direction), resolution, resolution), np.nan, np.float32)
     if not request.exact:
         surveys = engine.submit(survey, [(request, resolution)], tool)
-        for result in _until(surveys, cancelled):
+        for result in results_until(surveys, cancelled):
             values = result.value.copy()
     if cancelled():
         return
     chunks = split(np.flatnonzero(np.isnan(values)), request.exact)
     yield LevelUpdate(values.copy(), 0.0 if chunks else 1.0)
     tasks = [PushTasks(request, resolution, chunk) for chunk in chunks]
-    results = _until(engine.submit(simulate, tasks, tool), cancelled)
+    results = results_until(engine.submit(simulate, tasks, tool), cancelled)
     for num_done, result in enumerate(results, start=1):
         values.reshape(-1)[chunks[result.index]] = result.value
         yield LevelUpdate(values.copy(), num_done / len(chunks))
@@ -126,7 +126,8 @@ def _distances(prober: Prober, poses: Poses, resolution: int) -> FloatMap:
     return np.broadcast_to(distance_map[np.ix_(rows, cols)], (4, resolution, resolution))
 
 
-def _until(batch: Batch[FloatMap], cancelled: Cancelled) -> Iterator[TaskResult[FloatMap]]:
+def results_until(batch: Batch[FloatMap], cancelled: Cancelled) -> Iterator[TaskResult[FloatMap]]:
+    """Results as they come; at the end, or once cancelled, the rest of the batch is dropped."""
     try:
         while not batch.is_done and not cancelled():
             result = batch.poll(_POLL_S)

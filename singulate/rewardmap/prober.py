@@ -1,10 +1,13 @@
 """Tries pushes on a scene and takes each one back."""
 
+from collections.abc import Sequence
+
 from singulate.envs.push_task import PushTask
 from singulate.exceptions import SimulationError
 from singulate.geometry import Poses, Push, Workspace
 from singulate.perception import Percept
 from singulate.rewards import TERMS, Transition, reward_terms
+from singulate.simulation.shared_trajectory import SharedTrajectories
 
 
 class Prober:
@@ -14,10 +17,12 @@ class Prober:
 
     Args:
         goal_separation: d_goal of Eq. 2 [m].
+        exact: Whether to simulate every step of every push.
     """
 
-    def __init__(self, goal_separation: float) -> None:
-        self._task = PushTask(goal_separation=goal_separation)
+    def __init__(self, goal_separation: float, exact: bool = False) -> None:
+        self._task = PushTask(goal_separation=goal_separation, exact=exact)
+        self._shared = SharedTrajectories(self._task.workspace, self._task.scene.physics)
         self._poses: Poses | None = None
         self._before: Percept | None = None
 
@@ -49,18 +54,55 @@ class Prober:
             outcome = self._task.scene.push(push)
         except SimulationError:
             return dict.fromkeys(TERMS, 0.0)
-        if not outcome.is_touching:
+        if outcome.is_blocked or not (outcome.is_touching or self._task.scene.exact):
             return self.idle_terms(poses, push, outcome.is_blocked)
         return self._task.score(push, before, outcome).terms
+
+    def try_lines(self, poses: Poses, lines: Sequence[Sequence[Push]]) -> list[dict[str, float]]:
+        """`try_push` for pushes whose starts lie on lines, by shared trajectories.
+
+        Args:
+            poses: The blocks at rest.
+            lines: Pushes of one line each, at least one.
+
+        Returns:
+            The terms of each push, line after line.
+        """
+        self.look(poses)
+        self._shared.place(poses)
+        return [terms for line in lines for terms in self._try_line(poses, line)]
+
+    def _try_line(self, poses: Poses, pushes: Sequence[Push]) -> list[dict[str, float]]:
+        before = self.look(poses)
+        self._task.restore(poses)
+        free = [i for i, push in enumerate(pushes) if not self._task.scene.is_blocked(push)]
+        terms = [self.idle_terms(poses, push, is_inside=True) for push in pushes]
+        rest, after = poses, before
+        for end in self._shared.ends([pushes[i] for i in free]) if free else ():
+            index = free[end.push_index]
+            if end.poses is None:
+                terms[index] = dict.fromkeys(TERMS, 0.0)
+                continue
+            if end.poses is not rest:
+                self._task.restore(end.poses)
+                rest, after = end.poses, self._task.percept
+            terms[index] = self._terms(before, pushes[index], after, False, len(poses))
+        return terms
 
     def idle_terms(self, poses: Poses, push: Push, is_inside: bool) -> dict[str, float]:
         """The unweighted reward terms of a push that moves nothing."""
         before = self.look(poses)
-        goal = self._task.goal_separation
-        return reward_terms(
-            Transition(before, push, before, is_inside, len(poses), goal, self.workspace)
-        )
+        return self._terms(before, push, before, is_inside, len(poses))
 
     def close(self) -> None:
         """Release the physics engine."""
         self._task.close()
+        self._shared.close()
+
+    def _terms(
+        self, before: Percept, push: Push, after: Percept, is_inside: bool, num_blocks: int
+    ) -> dict[str, float]:
+        goal = self._task.goal_separation
+        return reward_terms(
+            Transition(before, push, after, is_inside, num_blocks, goal, self.workspace)
+        )

@@ -12,6 +12,7 @@ from singulate.rewardmap.algorithm import Cancelled, LevelAlgorithm
 from singulate.rewardmap.plain_pushes import plain_pushes
 from singulate.rewardmap.request import RewardMapRequest
 from singulate.rewardmap.reward_map import RewardMap
+from singulate.rewardmap.shared_trajectories import shared_trajectories
 
 COARSE_LEVELS = (8, 16)
 """Resolutions that are shown before the finest one; together they cost a tenth of 64 x 64."""
@@ -41,7 +42,7 @@ def refine_levels(
     request: RewardMapRequest,
     engine: Engine,
     cancelled: Cancelled = lambda: False,
-    algorithm: LevelAlgorithm = plain_pushes,
+    algorithm: LevelAlgorithm | None = None,
 ) -> Iterator[RewardMap]:
     """Compute a reward map, showing what is known on the way.
 
@@ -49,7 +50,8 @@ def refine_levels(
         request: The scene and what to value.
         engine: Where the pushes are simulated.
         cancelled: Asked every 20 ms or so; True ends the iterator early.
-        algorithm: How one level is computed.
+        algorithm: How one level is computed; `plain_pushes` for an exact map and
+            `shared_trajectories` otherwise where None.
 
     Yields:
         Each coarser level when it is complete, then the finest level, first filled up with the
@@ -59,6 +61,8 @@ def refine_levels(
     Raises:
         EngineError: If workers cannot be started or keep dying.
     """
+    if algorithm is None:
+        algorithm = plain_pushes if request.exact else shared_trajectories
     levels = refinement_levels(request.resolution)
     coarse = np.full((4, 1, 1), np.nan, np.float32)
     for level in levels:
@@ -83,7 +87,7 @@ def compute_reward_map(
     engine: Engine,
     on_progress: Callable[[RewardMap], None] | None = None,
     cancelled: Cancelled = lambda: False,
-    algorithm: LevelAlgorithm = plain_pushes,
+    algorithm: LevelAlgorithm | None = None,
 ) -> RewardMap:
     """The complete reward map of a scene.
 
@@ -92,7 +96,8 @@ def compute_reward_map(
         engine: Where the pushes are simulated.
         on_progress: Called with what is known so far.
         cancelled: Asked every 20 ms or so; True ends the work.
-        algorithm: How one level is computed.
+        algorithm: How one level is computed; `plain_pushes` for an exact map and
+            `shared_trajectories` otherwise where None.
 
     Returns:
         The map at the requested resolution.

@@ -5,11 +5,12 @@ Bullet is loaded by the first use of `Scene`: whoever needs scenarios alone does
 
 from typing import TYPE_CHECKING, Any
 
+from singulate.simulation.outcome import PushFrame, PushOutcome
 from singulate.simulation.physics import Physics
 from singulate.simulation.scenarios import SCENARIO_FAMILIES, Scenario, make_scenario
 
 if TYPE_CHECKING:
-    from singulate.simulation.scene import PushFrame, PushOutcome, Scene
+    from singulate.simulation.scene import Scene
 
 __all__ = [
     "SCENARIO_FAMILIES",
@@ -23,8 +24,8 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    if name in ("PushFrame", "PushOutcome", "Scene"):
-        from singulate.simulation import scene
+    if name == "Scene":
+        from singulate.simulation.scene import Scene
 
-        return getattr(scene, name)
+        return Scene
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -44,7 +44,7 @@ class OverheadCamera:
         )
 
     def photograph(self, client: int) -> CameraFrame:
-        """Picture of the world behind a Bullet connection."""
+        """Picture of the world behind a Bullet connection; where nothing is, there is the table."""
         size = self._size
         _, _, rgba, depth_buffer, _ = pybullet.getCameraImage(
             size,
@@ -60,6 +60,7 @@ class OverheadCamera:
         rgb = np.asarray(rgba, np.uint8).reshape(size, size, 4)[..., :3].copy()
         buffer = np.asarray(depth_buffer, np.float64).reshape(size, size)
         depth = _FAR * _NEAR / (_FAR - (_FAR - _NEAR) * buffer)
+        depth[buffer >= 1.0] = CAMERA_HEIGHT
         return CameraFrame(rgb, depth.astype(np.float32), CAMERA_HEIGHT)
 
 

@@ -1,5 +1,6 @@
 """Physical constants of the scene."""
 
+import math
 from dataclasses import dataclass
 
 
@@ -52,3 +53,12 @@ class Physics:
     def pusher_z(self) -> float:
         """Height of the pusher's centre while it pushes [m]."""
         return self.pusher_clearance + self.pusher_height / 2
+
+    @property
+    def num_lift_steps(self) -> int:
+        """Steps in which the pusher is lifted after a push."""
+        return math.ceil(self.retract_height / (self.retract_speed * self.time_step))
+
+    def num_push_steps(self, length: float) -> int:
+        """Steps in which the pusher covers a length [m], at least one."""
+        return max(1, round(length / (self.push_speed * self.time_step)))

@@ -17,11 +17,16 @@ class Stage:
     Taking a picture must not disturb the physics, and most pushes touch nothing and need no
     physics at all, so pictures have a world of their own. Its blocks are a pool: block i is moved
     to where it stands in the next scene, and replaced only where its side changes.
+
+    Args:
+        workspace: The square that the table covers.
+        has_table: Whether the table is seen.
     """
 
-    def __init__(self, workspace: Workspace) -> None:
+    def __init__(self, workspace: Workspace, has_table: bool = True) -> None:
         self.client = pybullet.connect(pybullet.DIRECT)
         self._half_length = workspace.half_length
+        self._has_table = has_table
         self._pool: list[tuple[int, float]] = []
         """Body and side of each block, in the order of the blocks."""
         self._num_replaced = 0
@@ -63,6 +68,10 @@ class Stage:
         pybullet.resetSimulation(physicsClientId=self.client)
         self._pool.clear()
         self._num_replaced = 0
+        if self._has_table:
+            self._add_table()
+
+    def _add_table(self) -> None:
         half = self._half_length
         add_visible_box(
             self.client,

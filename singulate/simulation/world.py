@@ -2,6 +2,7 @@
 
 import math
 
+from singulate.exceptions import SimulationError
 from singulate.geometry import BlockPose, Poses, Workspace
 from singulate.simulation.bodies import TABLE_THICKNESS, Vector3, add_solid_box
 from singulate.simulation.bullet import pybullet
@@ -10,6 +11,9 @@ from singulate.simulation.physics import Physics
 
 _PARKED_Z = 50.0
 _ZERO = (0.0, 0.0, 0.0)
+
+Motion = tuple[tuple[BlockPose, Vector3, Vector3], ...]
+"""Pose, velocity [m/s] and angular velocity [rad/s] of each block."""
 
 
 class World:
@@ -28,6 +32,8 @@ class World:
         self._blocks: list[int | None] = []
         self._fallen: dict[int, BlockPose] = {}
         self._sides: list[float] = []
+        self._saved = -1
+        self._num_fallen_at_first = 0
 
     def close(self) -> None:
         """Disconnect from Bullet; further calls do nothing."""
@@ -39,6 +45,7 @@ class World:
         """Empty the world and put up the table, the parked pusher and the blocks at rest."""
         client, physics = self.client, self.physics
         pybullet.resetSimulation(physicsClientId=client)
+        self._saved = -1
         pybullet.setPhysicsEngineParameter(
             fixedTimeStep=physics.time_step,
             numSolverIterations=physics.solver_iterations,
@@ -50,9 +57,25 @@ class World:
         self._pusher = self._add_pusher()
         self._sides = [pose.side for pose in poses]
         self._fallen = {i: pose for i, pose in enumerate(poses) if is_fallen(pose)}
+        self._num_fallen_at_first = len(self._fallen)
         self._blocks = [
             None if i in self._fallen else self._add_block(pose) for i, pose in enumerate(poses)
         ]
+
+    def save(self) -> None:
+        """Remember this moment for `go_back`, until the world is built again."""
+        self._saved = pybullet.saveState(physicsClientId=self.client)
+
+    def go_back(self) -> bool:
+        """Return to the saved moment.
+
+        Returns:
+            Whether that was possible: a block that was taken away does not come back.
+        """
+        is_possible = self._saved >= 0 and len(self._fallen) == self._num_fallen_at_first
+        if is_possible:
+            pybullet.restoreState(stateId=self._saved, physicsClientId=self.client)
+        return is_possible
 
     def place_pusher(self, x: float, y: float, yaw: float) -> None:
         """Put the pusher on the table without a move."""
@@ -90,6 +113,42 @@ class World:
             self._fallen[i] if body is None else self._block_pose(body, side)
             for i, (body, side) in enumerate(zip(self._blocks, self._sides, strict=True))
         )
+
+    def checked_poses(self) -> Poses:
+        """`block_poses`, as long as they are numbers.
+
+        Raises:
+            SimulationError: If one is not finite.
+        """
+        poses = self.block_poses()
+        if not all(math.isfinite(v) for pose in poses for v in (*pose.position, *pose.quaternion)):
+            raise SimulationError("a block's pose is not finite; the scene is as before the push")
+        return poses
+
+    def motion(self) -> Motion:
+        """How the blocks move now; those that have fallen off are still."""
+        return tuple(
+            (pose, _ZERO, _ZERO)
+            if body is None
+            else (pose, *pybullet.getBaseVelocity(body, physicsClientId=self.client))
+            for body, pose in zip(self._blocks, self.block_poses(), strict=True)
+        )
+
+    def set_motion(self, motion: Motion) -> None:
+        """Let the blocks of this world move as in another one that was built alike."""
+        poses = tuple(pose for pose, _, _ in motion)
+        if any(
+            (body is None) != is_fallen(pose)
+            for body, pose in zip(self._blocks, poses, strict=True)
+        ):
+            self.build(poses)
+        for body, (pose, linear, angular) in zip(self._blocks, motion, strict=True):
+            if body is not None:
+                pybullet.resetBasePositionAndOrientation(
+                    body, pose.position, pose.quaternion, physicsClientId=self.client
+                )
+                pybullet.resetBaseVelocity(body, linear, angular, physicsClientId=self.client)
+        self._fallen = {i: pose for i, pose in enumerate(poses) if is_fallen(pose)}
 
     def block_speeds(self) -> list[tuple[float, float]]:
         """Speed [m/s] and turning speed [rad/s] of each block that is on the table."""

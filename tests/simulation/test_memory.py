@@ -17,7 +17,7 @@ def test_memory_is_flat_over_thousands_of_scenes_with_new_blocks(scene: Scene):
     def look_at(num_scenes: int) -> None:
         for _ in range(num_scenes):
             scene.place(scenario.sample(rng, scene.workspace))
-            scene._stage.show(scene.poses)
+            scene.photograph_blocks()
 
     look_at(1000)
     before = resident_mib()

@@ -1,0 +1,1 @@
+"""Experiments whose results are committed: what they measure, and how."""

@@ -1,0 +1,189 @@
+"""Pushes from many starts on one line, simulated together.
+
+Until it touches something, a pusher leaves no trace. So pushes along one line that meet the same
+block first share one trajectory: it begins just before the contact and goes on at constant speed,
+and where one of the pushes ends, a copy of the blocks is let come to rest in a second world.
+"""
+
+import math
+from collections.abc import Iterator, Sequence
+from types import TracebackType
+from typing import NamedTuple, Self
+
+from singulate.exceptions import InvalidValueError, SimulationError
+from singulate.geometry import Poses, Push, Workspace
+from singulate.simulation.approach import block_intervals
+from singulate.simulation.footprint import SWEEP_MARGIN
+from singulate.simulation.physics import Physics
+from singulate.simulation.scene import LEAD_STEPS, MAX_PUSHER_ERROR
+from singulate.simulation.settling import settle
+from singulate.simulation.world import Motion, World
+
+_TREMBLE = 1e-5
+"""What a block at rest moves or turns between two moments [m]; slower than 100 of it [1/s]."""
+
+
+class LineEnd(NamedTuple):
+    """How one of the pushes ended.
+
+    Attributes:
+        push_index: Which push.
+        poses: The blocks at rest; the same object as of the end before where nothing has changed.
+            None where the physics went wrong.
+    """
+
+    push_index: int
+    poses: Poses | None
+
+
+class _Start(NamedTuple):
+    """One push of a trajectory: which, and where along the line it begins [m]."""
+
+    push_index: int
+    offset: float
+
+
+class SharedTrajectories:
+    """Simulates pushes along lines of one scene after another.
+
+    Bullet does not return to a saved moment to the last bit, so an end depends, in its last digits,
+    on what was asked since `place`; the same questions always have the same answers.
+
+    Args:
+        workspace: The square that the table covers.
+        physics: Physical constants.
+    """
+
+    def __init__(self, workspace: Workspace, physics: Physics) -> None:
+        self._physics = physics
+        self._pushing = World(workspace, physics)
+        self._settling = World(workspace, physics)
+        self._poses: Poses = ()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Release the physics engine."""
+        self._pushing.close()
+        self._settling.close()
+
+    def place(self, poses: Poses) -> None:
+        """Put up the blocks at rest to which all pushes from now on are done."""
+        self._poses = poses
+        self._settling.build(poses)
+        self._put_up()
+
+    def ends(self, pushes: Sequence[Push]) -> Iterator[LineEnd]:
+        """Execute pushes that lie on one line.
+
+        Args:
+            pushes: Of one direction and one length, none of them blocked, at least one.
+
+        Yields:
+            The end of each push, in no particular order.
+
+        Raises:
+            InvalidValueError: If the pushes do not lie on one line.
+        """
+        line = pushes[0]
+        starts = [_Start(i, _offset(line, push)) for i, push in enumerate(pushes)]
+        for contact, group in self._groups(line, starts):
+            yield from self._follow(line, contact, group)
+
+    def _put_up(self) -> None:
+        """Build the world of the pusher and let the blocks settle, as before any push."""
+        self._pushing.build(self._poses)
+        for _ in range(LEAD_STEPS):
+            self._pushing.step()
+        self._pushing.save()
+
+    def _groups(self, line: Push, starts: Sequence[_Start]) -> list[tuple[float, list[_Start]]]:
+        """Starts by the trajectory that they share, with the point where it may begin [m]."""
+        half = self._physics.pusher_side / 2
+        intervals = block_intervals(self._poses, line.start, line.direction, half + SWEEP_MARGIN)
+        groups: dict[tuple[float, int], list[_Start]] = {}
+        for start in sorted(starts, key=lambda start: start.offset):
+            ahead = [first for first, last in intervals if last + half > start.offset]
+            nearest = min(ahead, default=math.inf) - half
+            # A pusher that is lowered beside a block has a trajectory of its own.
+            is_beside = nearest < start.offset
+            key = (start.offset, start.push_index) if is_beside else (nearest, -1)
+            groups.setdefault(key, []).append(start)
+        return [(contact, group) for (contact, _), group in groups.items()]
+
+    def _follow(self, line: Push, contact: float, group: list[_Start]) -> Iterator[LineEnd]:
+        if contact > group[-1].offset + line.length:
+            yield from (LineEnd(start.push_index, self._poses) for start in group)
+            return
+        if not self._pushing.go_back():
+            self._put_up()
+        at = min(contact, group[0].offset + line.length)
+        self._pushing.place_pusher(*_point(line, at), line.yaw)
+        rest, motion = self._poses, None
+        for i, start in enumerate(group):
+            end = start.offset + line.length
+            try:
+                self._drive(line, at, end)
+                moving = self._pushing.motion()
+                if motion is None or not _is_same(moving, motion):
+                    rest, motion = self._come_to_rest(moving), moving
+            except SimulationError:
+                yield from (LineEnd(lost.push_index, None) for lost in group[i:])
+                return
+            at = end
+            yield LineEnd(start.push_index, rest)
+
+    def _drive(self, line: Push, begin: float, end: float) -> None:
+        """Move the pusher along the line in whole time steps at its speed, or a little slower."""
+        world, physics = self._pushing, self._physics
+        num_steps = math.ceil((end - begin) / (physics.push_speed * physics.time_step) - 1e-9)
+        for i in range(1, num_steps + 1):
+            at = begin + (end - begin) * i / num_steps
+            world.drive_pusher(*_point(line, at), physics.pusher_z)
+        if num_steps and not math.dist(world.pusher_pose()[:2], _point(line, end)) < (
+            MAX_PUSHER_ERROR
+        ):
+            raise SimulationError("the pusher left its path")
+        world.remove_fallen()
+
+    def _come_to_rest(self, motion: Motion) -> Poses:
+        self._settling.set_motion(motion)
+        for _ in settle(self._settling):
+            continue
+        return self._settling.checked_poses()
+
+
+def _is_same(one: Motion, other: Motion) -> bool:
+    """Whether two moments differ by nothing but the trembling of blocks at rest."""
+    return all(
+        math.dist(a.position, b.position) < _TREMBLE
+        and math.dist(a.quaternion, b.quaternion) < _TREMBLE
+        and max(math.hypot(*each) for each in (u, v, w, x)) < 100 * _TREMBLE
+        for (a, u, v), (b, w, x) in zip(one, other, strict=True)
+    )
+
+
+def _offset(line: Push, push: Push) -> float:
+    """Where along a line a push begins [m]."""
+    dx, dy = push.start[0] - line.start[0], push.start[1] - line.start[1]
+    ux, uy = line.direction
+    is_same = push.direction == line.direction and push.length == line.length
+    if not is_same or abs(dy * ux - dx * uy) > 1e-9:
+        raise InvalidValueError("push", push, f"on the line of {line}")
+    return dx * ux + dy * uy
+
+
+def _point(line: Push, offset: float) -> tuple[float, float]:
+    return (
+        line.start[0] + offset * line.direction[0],
+        line.start[1] + offset * line.direction[1],
+    )
