@@ -17,7 +17,15 @@ MAX_PREFETCH_BYTES = 2**14
 START_TIMEOUT_S = 60.0
 """A worker that is not ready by then is replaced [s]."""
 
-_ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
+_ONE_THREAD = dict.fromkeys(
+    (
+        "OMP_NUM_THREADS",
+        "OPENBLAS_NUM_THREADS",
+        "MKL_NUM_THREADS",
+        "OPENCV_FOR_THREADS_NUM",
+    ),
+    "1",
+)
 
 
 class WorkerHandle:

@@ -29,10 +29,11 @@ def segment_separations(
         >>> segment_separations(np.array([[1, 0, 0, 2, 0, 3]]), metres_per_pixel=0.5).tolist()
         [1.0, 2.0, 0.5]
     """
+    highest = label_image.max(initial=0)
+    if not np.any((label_image > 0) & (label_image < highest)):
+        return np.empty(0)  # most pictures show a single segment
     row_col, labels = _border_pixels(label_image)
     first = np.flatnonzero(np.diff(labels, prepend=0))  # where each segment's pixels begin, (K,)
-    if len(first) < 2:
-        return np.empty(0)
     squared = [
         _squared_distances(row_col[:, begin:end], row_col[:, end:], first[i + 1 :] - end)
         for i, (begin, end) in enumerate(itertools.pairwise(first))

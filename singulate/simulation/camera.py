@@ -1,12 +1,14 @@
 """The fixed RGB-D camera straight above the table."""
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 import numpy.typing as npt
 
 from singulate.geometry import CameraFrame, Workspace
 from singulate.simulation.bullet import pybullet
+from singulate.simulation.pixel_window import PixelWindow, full_window
 
 CAMERA_HEIGHT = 20.0
 """Height above the table [m]; from here a block of 0.2 m leans outward by at most 1 % of its
@@ -14,6 +16,8 @@ distance from the centre, a third of a pixel at the border."""
 
 _NEAR = CAMERA_HEIGHT - 1.0
 _FAR = CAMERA_HEIGHT + 1.0
+_NOTHING = 255
+"""What Bullet's renderer leaves where it draws nothing."""
 _FLAGS = pybullet.ER_NO_SEGMENTATION_MASK
 # Bullet remembers the light of the last picture, so every picture states its own.
 _LIGHT = {
@@ -28,40 +32,64 @@ class OverheadCamera:
     """Takes pictures in which every pixel is the table's point at that pixel's centre."""
 
     def __init__(self, workspace: Workspace) -> None:
-        self._size = workspace.image_size
+        self._workspace = workspace
         self._view = pybullet.computeViewMatrix((0, 0, CAMERA_HEIGHT), (0, 0, 0), (0, 1, 0))
-        # The software renderer samples the lower left corner of each pixel; half a pixel of
-        # shift makes that the centre.
-        half, shift = workspace.half_length, workspace.metres_per_pixel / 2
-        scale = _NEAR / CAMERA_HEIGHT
-        self._projection = pybullet.computeProjectionMatrix(
-            (shift - half) * scale,
-            (shift + half) * scale,
-            (shift - half) * scale,
-            (shift + half) * scale,
-            _NEAR,
-            _FAR,
-        )
 
     def photograph(self, client: int) -> CameraFrame:
         """Picture of the world behind a Bullet connection; where nothing is, there is the table."""
-        size = self._size
+        return self.photograph_window(client, full_window(self._workspace))
+
+    def photograph_window(self, client: int, window: PixelWindow | None) -> CameraFrame:
+        """The same picture, drawn in a window only, outside of which there is nothing to see.
+
+        Args:
+            client: The Bullet connection.
+            window: Where something can be seen; None where nothing is.
+        """
+        size = self._workspace.image_size
+        rgb = np.full((size, size, 3), _NOTHING, np.uint8)
+        depth = np.full((size, size), CAMERA_HEIGHT, np.float32)
+        if window is not None:
+            top, bottom, left, right = window
+            part = np.s_[top:bottom, left:right]
+            rgb[part], depth[part] = self._draw(client, window)
+        return CameraFrame(rgb, depth, CAMERA_HEIGHT)
+
+    def _draw(
+        self, client: int, window: PixelWindow
+    ) -> tuple[npt.NDArray[np.uint8], npt.NDArray[np.float64]]:
+        height, width = window.shape
         _, _, rgba, depth_buffer, _ = pybullet.getCameraImage(
-            size,
-            size,
+            width,
+            height,
             self._view,
-            self._projection,
+            self._projection(window),
             shadow=0,
             renderer=pybullet.ER_TINY_RENDERER,
             flags=_FLAGS,
             **_LIGHT,
             physicsClientId=client,
         )
-        rgb = np.asarray(rgba, np.uint8).reshape(size, size, 4)[..., :3].copy()
-        buffer = np.asarray(depth_buffer, np.float64).reshape(size, size)
+        buffer = np.asarray(depth_buffer, np.float64).reshape(height, width)
         depth = _FAR * _NEAR / (_FAR - (_FAR - _NEAR) * buffer)
         depth[buffer >= 1.0] = CAMERA_HEIGHT
-        return CameraFrame(rgb, depth.astype(np.float32), CAMERA_HEIGHT)
+        return np.asarray(rgba, np.uint8).reshape(height, width, 4)[..., :3], depth
+
+    def _projection(self, window: PixelWindow) -> Sequence[float]:
+        pixel, half = self._workspace.metres_per_pixel, self._workspace.half_length
+        # The software renderer samples the lower left corner of each pixel; half a pixel of
+        # shift makes that the centre.
+        sides = (
+            (window.left + 0.5) * pixel - half,
+            (window.right + 0.5) * pixel - half,
+            half - (window.bottom - 0.5) * pixel,
+            half - (window.top - 0.5) * pixel,
+        )
+        scale = _NEAR / CAMERA_HEIGHT
+        matrix: Sequence[float] = pybullet.computeProjectionMatrix(
+            *(side * scale for side in sides), _NEAR, _FAR
+        )
+        return matrix
 
 
 def picture(client: int, width: int, height: int, half_length: float) -> npt.NDArray[np.uint8]:

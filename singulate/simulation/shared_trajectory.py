@@ -127,7 +127,7 @@ class SharedTrajectories:
         if not self._pushing.go_back():
             self._put_up()
         at = min(contact, group[0].offset + line.length)
-        self._pushing.place_pusher(*_point(line, at), line.yaw)
+        self._pushing.place_pusher(*_point(line, at), self._physics.pusher_z, line.yaw)
         rest, motion = self._poses, None
         for i, start in enumerate(group):
             end = start.offset + line.length

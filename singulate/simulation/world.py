@@ -77,9 +77,13 @@ class World:
             pybullet.restoreState(stateId=self._saved, physicsClientId=self.client)
         return is_possible
 
-    def place_pusher(self, x: float, y: float, yaw: float) -> None:
-        """Put the pusher on the table without a move."""
-        self._teleport_pusher((x, y, self.physics.pusher_z), yaw)
+    def place_pusher(self, x: float, y: float, z: float, yaw: float) -> None:
+        """Put the pusher somewhere without a move, position of its centre [m] and yaw [rad]."""
+        self._teleport_pusher((x, y, z), yaw)
+
+    def is_pusher_touching(self) -> bool:
+        """Whether the pusher has touched a block in the last time step."""
+        return bool(pybullet.getContactPoints(self._pusher, physicsClientId=self.client))
 
     def park_pusher(self) -> None:
         """Take the pusher out of the scene and of the camera's view."""
@@ -97,7 +101,8 @@ class World:
 
     def step(self) -> None:
         """Advance one time step with the pusher parked."""
-        self.drive_pusher(0.0, 0.0, _PARKED_Z)
+        self.park_pusher()
+        pybullet.stepSimulation(physicsClientId=self.client)
 
     def pusher_pose(self) -> tuple[float, float, float, float]:
         """Position (x, y, z) [m] and yaw [rad] of the pusher."""

@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
-from singulate.geometry import Block, Direction, Push, Workspace
+from singulate.geometry import Block, Direction, Push, Workspace, standing_pose
 from singulate.perception import perceive
 from singulate.simulation import make_scenario
+from singulate.simulation.pixel_window import window_of
 
 WORKSPACE = Workspace()
 PIXEL = WORKSPACE.metres_per_pixel
@@ -87,3 +88,20 @@ def test_the_picture_for_people_shows_table_and_blocks(scene):
     picture = scene.picture(320, 240)
     assert picture.shape == (240, 320, 3)
     assert len(np.unique(picture.reshape(-1, 3), axis=0)) > 5
+
+
+def test_a_picture_without_the_table_shows_the_same_blocks_in_the_same_pixels(scene):
+    rng = np.random.default_rng(2)
+    for name in ("random-2", "cluster-6", "random-3") * 5:
+        scene.place(make_scenario(name).sample(rng, WORKSPACE))
+        scene.push(Push.cardinal((0.0, -0.5), Direction.UP, 0.5))
+        with_table = perceive(scene.photograph(), WORKSPACE)
+        without = perceive(scene.photograph_blocks(), WORKSPACE)
+        assert (with_table.mask == without.mask).all()
+        assert (with_table.label_image == without.label_image).all()
+
+
+def test_an_empty_table_has_no_window_and_a_plain_picture():
+    assert window_of((), WORKSPACE) is None
+    beside = standing_pose(Block(0.95, -0.95))
+    assert window_of((beside,), WORKSPACE) == (54, 64, 54, 64)

@@ -38,7 +38,7 @@ def test_a_push_carries_the_middle_block_out_of_the_row(scene, row, middle_push)
     left, middle, right = positions(scene)
     # The pusher's face ends at y = 0.2 + 0.03, so the block's centre at 0.33, and it slides a bit.
     assert middle[1] == pytest.approx(0.335, abs=0.015)
-    assert abs(middle[0]) < 0.02
+    assert abs(middle[0]) < 0.04
     assert left == pytest.approx((-0.2, 0.0, 0.1), abs=0.01)
     assert right == pytest.approx((0.2, 0.0, 0.1), abs=0.01)
     assert outcome.is_touching

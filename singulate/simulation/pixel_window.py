@@ -1,0 +1,51 @@
+"""The part of the camera's image in which something can be seen."""
+
+import math
+from typing import NamedTuple
+
+from singulate.geometry import Poses, Workspace
+from singulate.simulation.fallen import is_fallen
+
+_REACH = math.sqrt(3.0) / 2.0
+"""No part of a cube is further from its centre than this share of its side."""
+
+_MARGIN_PX = 2
+"""Room for the camera's perspective, which leans a block outward by less than a pixel."""
+
+
+class PixelWindow(NamedTuple):
+    """Rows ``top`` to ``bottom - 1`` and columns ``left`` to ``right - 1`` of an image."""
+
+    top: int
+    bottom: int
+    left: int
+    right: int
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Height and width [px]."""
+        return self.bottom - self.top, self.right - self.left
+
+
+def full_window(workspace: Workspace) -> PixelWindow:
+    """The whole image."""
+    return PixelWindow(0, workspace.image_size, 0, workspace.image_size)
+
+
+def window_of(poses: Poses, workspace: Workspace) -> PixelWindow | None:
+    """The smallest window that surely shows every block on the table; None without any."""
+    cells = [
+        workspace.xy_to_row_col(x + sign * reach, y - sign * reach)
+        for (x, y, _), reach in ((p.position, _REACH * p.side) for p in poses if not is_fallen(p))
+        for sign in (-1, 1)
+    ]
+    if not cells:
+        return None
+    rows, cols = zip(*cells, strict=True)
+    size = workspace.image_size
+    return PixelWindow(
+        top=max(min(rows) - _MARGIN_PX, 0),
+        bottom=min(max(rows) + 1 + _MARGIN_PX, size),
+        left=max(min(cols) - _MARGIN_PX, 0),
+        right=min(max(cols) + 1 + _MARGIN_PX, size),
+    )
