@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from singulate.agents.registry import AGENTS, agent_kind
+from singulate.cli.lists import parse_setting
 from singulate.cli.progress import TrainingBar
 from singulate.envs import ACTION_ENCODINGS, OBSERVATIONS, EnvConfig
 from singulate.exceptions import InvalidValueError
@@ -111,19 +112,9 @@ def _config_of_options(args: argparse.Namespace) -> TrainingConfig:
         agent=kind.name,
         env=EnvConfig.from_dict({k: v for k, v in env_values.items() if v is not None}),
         total_timesteps=DEFAULT_STEPS if args.steps is None else args.steps,
-        agent_config=dict(_parse_setting(text) for text in args.settings or []),
+        agent_config=dict(parse_setting("--set", text) for text in args.settings or []),
         **{name: value for name, value in given.items() if value is not None},
     )
-
-
-def _parse_setting(text: str) -> tuple[str, Any]:
-    key, equals, value = text.partition("=")
-    if not equals:
-        raise InvalidValueError("--set", text, "KEY=VALUE")
-    try:
-        return key, json.loads(value)
-    except ValueError:
-        return key, value
 
 
 def _new_run_dir(config: TrainingConfig) -> Path:
