@@ -18,7 +18,9 @@ LAYERS: tuple[tuple[str, ...], ...] = (
     ("envs", "checkpoints", "runs"),
     ("engine",),
     ("agents",),
-    ("rewardmap", "evaluation", "training"),
+    ("rewardmap",),
+    ("datasets",),
+    ("evaluation", "training"),
     ("experiments", "bench"),
     ("singulate",),  # the package's own front door, which loads policies on demand
     ("cli",),

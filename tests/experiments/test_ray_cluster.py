@@ -20,7 +20,7 @@ out, *options = sys.argv[1:]
 cluster = Cluster(initialize_head=True, head_node_args={"num_cpus": 1})
 nodes = [cluster.add_node(num_cpus=1) for _ in range(2)]
 cluster.wait_for_nodes()
-log = {"num_nodes": len(cluster.list_all_nodes)}
+log = {"num_nodes": len(cluster.list_all_nodes())}
 
 def kill_a_node():
     results = os.path.join(out, "cells")
@@ -37,7 +37,7 @@ options += ["--engine", "ray", "--address", cluster.address, "--workers", "3"]
 began = time.monotonic()
 log["status"] = main(["sweep", "--out", out, *options])
 log["seconds"] = round(time.monotonic() - began, 1)
-log["num_nodes_left"] = len(cluster.list_all_nodes)
+log["num_nodes_left"] = len(cluster.list_all_nodes())
 print(json.dumps(log))
 """
 
