@@ -1,11 +1,12 @@
 import json
 import os
 import pickle
+import shutil
 import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,38 +14,19 @@ import pytest
 from torch.utils.data import DataLoader
 
 from singulate.cli import main
-from singulate.datasets import DatasetConfig, DatasetError, RecordedScenes
+from singulate.datasets import DatasetError, RecordedScenes
 from singulate.datasets.building import build_dataset, plan_dataset
 from singulate.datasets.torch_scenes import TorchScenes
-from singulate.engine import Engine, LocalEngine
+from singulate.engine import Engine
 from singulate.envs import PushEnv, scene_seed
 from singulate.outcomes import OUTCOMES
 from singulate.rewardmap import RewardMapRequest, compute_reward_map
 
-CONFIG = DatasetConfig(num_scenes=5, resolution=10, shard_size=2, seed=3)
 OPTIONS = ("dataset", "--resolution", "8", "--shard-size", "2", "--workers", "1")
-
-
-def build(config: DatasetConfig, directory: Path, engine: Engine) -> None:
-    directory.mkdir(exist_ok=True)
-    build_dataset(plan_dataset(config, directory)[0], directory, engine)
 
 
 def content(directory: Path) -> dict[str, bytes]:
     return {path.name: path.read_bytes() for path in directory.iterdir()}
-
-
-@pytest.fixture(scope="module")
-def engine() -> Iterator[Engine]:
-    with LocalEngine(num_workers=2, niceness=0) as engine:
-        yield engine
-
-
-@pytest.fixture(scope="module")
-def dataset(tmp_path_factory: pytest.TempPathFactory, engine: Engine) -> Path:
-    directory = tmp_path_factory.mktemp("dataset")
-    build(CONFIG, directory, engine)
-    return directory
 
 
 def test_maps_are_those_of_the_rewardmap_command(dataset: Path, engine: Engine) -> None:
@@ -82,8 +64,7 @@ def test_pytorch_loads_batches(dataset: Path) -> None:
 def test_a_lost_or_damaged_shard_is_named_and_built_again(
     tmp_path: Path, engine: Engine, dataset: Path
 ) -> None:
-    build(CONFIG, tmp_path, engine)
-    assert content(tmp_path) == content(dataset)
+    shutil.copytree(dataset, tmp_path, dirs_exist_ok=True)
     shard = tmp_path / "shard-000001.npz"
     damaged = bytearray(shard.read_bytes())
     damaged[len(damaged) // 2] ^= 1
@@ -92,7 +73,7 @@ def test_a_lost_or_damaged_shard_is_named_and_built_again(
     with pytest.raises(DatasetError, match=r"shard-000001\.npz: damaged"):
         RecordedScenes(tmp_path)[2]
     (tmp_path / "shard-000002.npz").unlink()
-    manifest, names = plan_dataset(CONFIG, tmp_path)
+    manifest, names = plan_dataset(RecordedScenes(dataset).manifest.config, tmp_path)
     assert names == ["shard-000001.npz", "shard-000002.npz"]
     kept = (tmp_path / "shard-000000.npz").stat().st_mtime_ns
     build_dataset(manifest, tmp_path, engine)
@@ -101,8 +82,9 @@ def test_a_lost_or_damaged_shard_is_named_and_built_again(
 
 
 def test_a_smaller_data_set_grows(tmp_path: Path, engine: Engine, dataset: Path) -> None:
-    build(DatasetConfig(num_scenes=3, resolution=10, shard_size=2, seed=3), tmp_path, engine)
-    build(CONFIG, tmp_path, engine)
+    config = RecordedScenes(dataset).manifest.config
+    for smaller in (replace(config, num_scenes=3), config):
+        build_dataset(plan_dataset(smaller, tmp_path)[0], tmp_path, engine)
     assert content(tmp_path) == content(dataset)
 
 

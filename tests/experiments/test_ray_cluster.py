@@ -49,8 +49,8 @@ GRID = (
 
 
 def run(command: list[str]) -> str:
-    done = subprocess.run(command, capture_output=True, text=True, timeout=600)
-    assert done.returncode == 0, done.stderr
+    done = subprocess.run(command, stdout=subprocess.PIPE, text=True, timeout=600)
+    assert done.returncode == 0
     return done.stdout
 
 
