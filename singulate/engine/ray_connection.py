@@ -51,9 +51,11 @@ def connect(address: str | None, num_cpus: int | None) -> bool:
         else:
             ray.init(address, **quiet)
     except (ray.exceptions.RayError, ConnectionError, RuntimeError, ValueError) as error:
-        where = "on this machine" if address is None else f"at {address}"
         first = str(error).strip().splitlines()[0]
-        raise EngineError(f"no Ray {where}: {first}") from None
+        if address is None:
+            raise EngineError(f"Ray does not start on this machine: {first}") from None
+        hint = "is its token in RAY_AUTH_TOKEN, and RAY_AUTH_MODE=token?"
+        raise EngineError(f"no Ray answers at {address}: {first}; {hint}") from None
     return True
 
 
