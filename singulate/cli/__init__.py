@@ -14,6 +14,8 @@ COMMANDS: dict[str, str] = {
     "train": "train an agent",
     "evaluate": "success and rewards of a trained agent on unseen scenes",
     "rewardmap": "true reward of every push on a scene",
+    "dataset": "reward maps of many scenes, to learn from",
+    "sweep": "train and evaluate every combination of agents, scenarios, settings and seeds",
     "runs": "list, show, steer, export and delete training runs",
     "bench": "measure speeds on this machine",
     "exactness": "compare every shortcut of the simulation with the plain push",

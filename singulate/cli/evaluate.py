@@ -2,7 +2,7 @@
 
 import argparse
 import json
-import os
+from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,9 +12,11 @@ from rich.table import Table
 
 from singulate.agents.policy import Policy
 from singulate.agents.random_policy import RandomPolicy
+from singulate.cli.engine_options import add_engine_options, engine_of, needs_engine
 from singulate.cli.progress import CountBar
 from singulate.cli.publishing import publish, run_config
 from singulate.cli.targets import check_checkpoint_target
+from singulate.engine import Engine
 from singulate.envs import EnvConfig
 from singulate.exceptions import InvalidValueError
 
@@ -56,7 +58,7 @@ def add_parser(subparsers: "Subparsers") -> None:
         default=None,
         help="the push of the highest value or density (a DQN does anyway)",
     )
-    parser.add_argument("--workers", type=int, help="worker processes (one a core)")
+    add_engine_options(parser)
     parser.add_argument(
         "--publish",
         type=Path,
@@ -76,15 +78,16 @@ def _run(args: argparse.Namespace) -> int:
     if args.publish is not None:
         run_config(Path(source))
     is_sampled = policy.is_random if args.sample is None else args.sample
-    evaluation = _evaluate(args, policy, env_config, is_sampled)
-    if args.publish is not None:
-        other = not is_sampled
-        measured = {
-            ACTING[is_sampled]: evaluation,
-            ACTING[other]: _evaluate(args, policy, env_config, other),
-            "random pushes": _evaluate(args, RandomPolicy(), env_config, True),
-        }
-        publish(Path(source), args.publish, measured, args.seed)
+    with engine_of(args, niceness=5) if needs_engine(args) else nullcontext() as engine:
+        evaluation = _evaluate(args, engine, policy, env_config, is_sampled)
+        if args.publish is not None:
+            other = not is_sampled
+            measured = {
+                ACTING[is_sampled]: evaluation,
+                ACTING[other]: _evaluate(args, engine, policy, env_config, other),
+                "random pushes": _evaluate(args, engine, RandomPolicy(), env_config, True),
+            }
+            publish(Path(source), args.publish, measured, args.seed)
     about = {
         "checkpoint": source,
         "agent": policy.kind,
@@ -113,11 +116,14 @@ def _check_publishing(args: argparse.Namespace) -> None:
 
 
 def _evaluate(
-    args: argparse.Namespace, policy: Policy, env_config: EnvConfig, sample: bool
+    args: argparse.Namespace,
+    engine: Engine | None,
+    policy: Policy,
+    env_config: EnvConfig,
+    sample: bool,
 ) -> "Evaluation":
     from singulate.evaluation import evaluate
 
-    workers = (os.cpu_count() or 1) if args.workers is None else args.workers
     with CountBar(f"Evaluating {policy.kind}", args.episodes) as bar:
         return evaluate(
             policy,
@@ -125,7 +131,7 @@ def _evaluate(
             args.episodes,
             args.seed,
             sample=sample,
-            workers=workers,
+            engine=engine,
             on_progress=bar.set,
         )
 

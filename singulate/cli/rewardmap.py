@@ -10,8 +10,9 @@ import numpy as np
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
 
+from singulate.cli.engine_options import add_engine_options, engine_of
 from singulate.cli.targets import check_file_target
-from singulate.engine import LocalEngine
+from singulate.engine import Engine
 from singulate.exceptions import InvalidValueError
 from singulate.geometry import Direction, Poses, Workspace, standing_pose
 from singulate.rewardmap import RewardMap, RewardMapRequest, compute_reward_map
@@ -39,7 +40,7 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument(
         "--exact", action="store_true", help="execute every push, also those that move nothing"
     )
-    parser.add_argument("--workers", type=int, help="worker processes (one a core)")
+    add_engine_options(parser)
     parser.add_argument("--json", action="store_true", help="print JSON")
     parser.set_defaults(run=_run)
 
@@ -54,10 +55,10 @@ def _run(args: argparse.Namespace) -> int:
     )
     if args.out is not None:
         check_file_target("out", args.out)
-    began = time.monotonic()
-    with LocalEngine(args.workers, niceness=0) as engine:
+    with engine_of(args) as engine:
+        began = time.monotonic()
         reward_map = _compute(request, engine, is_quiet=args.json)
-    seconds = time.monotonic() - began
+        seconds = time.monotonic() - began
     if args.out is not None:
         reward_map.save_npz(args.out)
     result = {
@@ -83,7 +84,7 @@ def _scene(scenario: str, seed: int) -> Poses:
     return tuple(standing_pose(block) for block in layout)
 
 
-def _compute(request: RewardMapRequest, engine: LocalEngine, is_quiet: bool) -> RewardMap:
+def _compute(request: RewardMapRequest, engine: Engine, is_quiet: bool) -> RewardMap:
     columns = (
         TextColumn("{task.description}"),
         BarColumn(),

@@ -20,6 +20,20 @@ def check_file_target(key: str, path: Path) -> None:
     _check_writable(key, path, path.parent)
 
 
+def check_directory_target(key: str, path: Path) -> None:
+    """Check that files can be put into a directory, which is made with its parents.
+
+    Raises:
+        InvalidValueError: If it is a file, or cannot be made or written.
+    """
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        allowed = f"a directory that can be made ({error.strerror or error})"
+        raise InvalidValueError(key, str(path), allowed) from None
+    _check_writable(key, path, path)
+
+
 def check_checkpoint_target(key: str, path: Path) -> None:
     """Check that a checkpoint can be put there; missing parents would be made.
 

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from singulate.agents.registry import AGENTS, agent_kind
+from singulate.cli.lists import parse_setting
 from singulate.cli.progress import TrainingBar
 from singulate.envs import ACTION_ENCODINGS, OBSERVATIONS, EnvConfig
 from singulate.exceptions import InvalidValueError
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 DEFAULT_STEPS = 20_000
 NEW_RUN_OPTIONS = (
     "agent", "scenario", "seed", "observation", "action", "reward", "max_pushes",
-    "goal_separation", "checkpoint_every", "settings",
+    "goal_separation", "checkpoint_every", "settings", "dataset",
 )  # fmt: skip
 """Options that describe a new run, so they fit neither ``--config`` nor ``--resume``."""
 
@@ -42,6 +43,9 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument("--reward", help=", ".join(REWARDS))
     parser.add_argument("--max-pushes", type=int, help="pushes an episode may take")
     parser.add_argument("--goal-separation", type=float, metavar="M", help="d_goal of Eq. 2 [m]")
+    parser.add_argument(
+        "--dataset", type=Path, metavar="DIR", help="learn from a data set, without simulating"
+    )
     parser.add_argument("--checkpoint-every", type=int, metavar="N", help="pushes between them")
     parser.add_argument(
         "--set",
@@ -103,27 +107,35 @@ def _config_of_options(args: argparse.Namespace) -> TrainingConfig:
     if args.agent is None:
         raise InvalidValueError("agent", None, ", ".join(AGENTS))
     kind = agent_kind(args.agent)
-    env_names = ("scenario", "observation", "reward", "max_pushes", "goal_separation")
-    env_values = {name: getattr(args, name) for name in env_names}
-    env_values["action"] = args.action or kind.actions[0]
+    action = args.action or kind.actions[0]
     given: dict[str, Any] = {"seed": args.seed, "checkpoint_every": args.checkpoint_every}
+    if args.dataset is not None:
+        env, origin = _env_of_dataset(args, action)
+        given |= origin
+    else:
+        names = ("scenario", "observation", "reward", "max_pushes", "goal_separation")
+        values = {name: getattr(args, name) for name in names}
+        values = {name: value for name, value in values.items() if value is not None}
+        env = EnvConfig.from_dict(values | {"action": action})
     return TrainingConfig(
         agent=kind.name,
-        env=EnvConfig.from_dict({k: v for k, v in env_values.items() if v is not None}),
+        env=env,
         total_timesteps=DEFAULT_STEPS if args.steps is None else args.steps,
-        agent_config=dict(_parse_setting(text) for text in args.settings or []),
+        agent_config=dict(parse_setting("--set", text) for text in args.settings or []),
         **{name: value for name, value in given.items() if value is not None},
     )
 
 
-def _parse_setting(text: str) -> tuple[str, Any]:
-    key, equals, value = text.partition("=")
-    if not equals:
-        raise InvalidValueError("--set", text, "KEY=VALUE")
-    try:
-        return key, json.loads(value)
-    except ValueError:
-        return key, value
+def _env_of_dataset(args: argparse.Namespace, action: str) -> tuple[EnvConfig, dict[str, str]]:
+    """The task of a data set, and what the run's settings say of it."""
+    _refuse(args, ("scenario", "reward", "max_pushes", "goal_separation"), "--dataset")
+    from singulate.datasets import RecordedScenes
+    from singulate.datasets.recorded_env import recorded_env_config
+
+    scenes = RecordedScenes(args.dataset)
+    env = recorded_env_config(scenes, args.observation or EnvConfig().observation, action)
+    path = str(args.dataset.resolve())
+    return env, {"dataset": path, "dataset_sha256": scenes.manifest.sha256}
 
 
 def _new_run_dir(config: TrainingConfig) -> Path:

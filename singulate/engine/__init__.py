@@ -2,5 +2,14 @@
 
 from singulate.engine.interface import Batch, Engine, EngineError, TaskResult
 from singulate.engine.local_engine import LocalEngine
+from singulate.engine.opening import ENGINES, open_engine
 
-__all__ = ["Batch", "Engine", "EngineError", "LocalEngine", "TaskResult"]
+__all__ = [
+    "ENGINES",
+    "Batch",
+    "Engine",
+    "EngineError",
+    "LocalEngine",
+    "TaskResult",
+    "open_engine",
+]

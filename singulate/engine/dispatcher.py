@@ -2,18 +2,15 @@
 
 import threading
 import time
-from collections import deque
 from multiprocessing import Pipe
 from multiprocessing.connection import wait
 from queue import SimpleQueue
 from typing import Any
 
-from singulate.engine.local_batch import LocalBatch
-from singulate.engine.messages import DropBatch, Finished, Ready, RunTask
+from singulate.engine.messages import DropBatch, Finished, Ready
+from singulate.engine.queued_batch import QueuedBatch
+from singulate.engine.task_queue import TaskQueue
 from singulate.engine.worker_handle import WorkerHandle
-
-MAX_ATTEMPTS = 2
-"""Workers that may die under a task before it is reported."""
 
 MAX_FAILED_STARTS = 3
 """Workers in a row that may die before they are ready."""
@@ -42,15 +39,14 @@ class Dispatcher(threading.Thread):
         self._niceness = niceness
         self._hang_timeout_s = hang_timeout_s
         self._cancel_grace_s = cancel_grace_s
-        self._requests: SimpleQueue[LocalBatch[Any] | DropBatch | None] = SimpleQueue()
+        self._requests: SimpleQueue[QueuedBatch[Any] | DropBatch | None] = SimpleQueue()
         self._wake_reader, self._wake_writer = Pipe(duplex=False)
         self._workers: list[WorkerHandle] = []
-        self._batches: dict[int, LocalBatch[Any]] = {}
-        self._turns: deque[int] = deque()
+        self._queue = TaskQueue()
         self._num_failed_starts = 0
         self._failure = ""
 
-    def request(self, request: LocalBatch[Any] | DropBatch | None) -> None:
+    def request(self, request: QueuedBatch[Any] | DropBatch | None) -> None:
         """Enqueue a batch, a cancellation, or None for the end; from any thread."""
         self._requests.put(request)
         self._wake_writer.send_bytes(b"!")
@@ -74,10 +70,9 @@ class Dispatcher(threading.Thread):
             reason = f"the engine has failed ({type(error).__name__}: {error})"
         while not self._requests.empty():
             request = self._requests.get()
-            if isinstance(request, LocalBatch):
+            if isinstance(request, QueuedBatch):
                 request.abandon(reason)
-        for batch in self._batches.values():
-            batch.abandon(reason)
+        self._queue.abandon(reason)
         for worker in self._workers:
             worker.kill()
             worker.end()
@@ -106,12 +101,11 @@ class Dispatcher(threading.Thread):
             elif self._failure:
                 request.abandon(self._failure)
             else:
-                self._batches[request.batch_id] = request
-                self._turns.append(request.batch_id)
+                self._queue.add(request)
         return True
 
     def _drop(self, request: DropBatch) -> None:
-        self._batches.pop(request.batch_id, None)
+        self._queue.drop(request.batch_id)
         for worker in self._workers:
             if any(task.key.batch_id == request.batch_id for task in worker.assigned):
                 worker.send(request)
@@ -122,20 +116,9 @@ class Dispatcher(threading.Thread):
         """One task to each idle worker, then one ahead, so that none waits for the next."""
         for depth in (1, 2):
             for worker in self._workers:
-                task = self._next_task() if len(worker.assigned) < depth else None
+                task = self._queue.next_task() if len(worker.assigned) < depth else None
                 if task is not None and not worker.take(task):
-                    self._batches[task.key.batch_id].pending.appendleft(task)
-
-    def _next_task(self) -> RunTask | None:
-        for _ in range(len(self._turns)):
-            batch = self._batches.get(self._turns[0])
-            if batch is None:
-                self._turns.popleft()
-                continue
-            self._turns.rotate(-1)
-            if batch.pending:
-                return batch.pending.popleft()
-        return None
+                    self._queue.put_back(task)
 
     def _read(self, worker: WorkerHandle) -> None:
         try:
@@ -145,36 +128,18 @@ class Dispatcher(threading.Thread):
                     worker.note_ready()
                     self._num_failed_starts = 0
                 else:
-                    self._finish(worker, message)
+                    worker.note_finished()
+                    self._queue.finish(*message)
         except (EOFError, OSError):
             self._replace(worker)
-
-    def _finish(self, worker: WorkerHandle, message: Finished) -> None:
-        worker.note_finished()
-        batch_id, index = message.key
-        batch = self._batches.get(batch_id)
-        if batch is not None:
-            num_attempts = batch.num_deaths.get(index, 0) + 1
-            batch.deliver(index, message.outcome, message.error, num_attempts)
-            if batch.is_delivered:
-                del self._batches[batch_id]
 
     def _replace(self, worker: WorkerHandle) -> None:
         """Start another worker; retry what the dead one was doing, once."""
         reason = worker.end()
         self._workers.remove(worker)
         for task in reversed(worker.assigned):
-            batch = self._batches.get(task.key.batch_id)
-            if batch is None:
-                continue
             is_suspect = worker.is_ready and task is worker.assigned[0]
-            num_deaths = batch.num_deaths.get(task.key.task_index, 0) + is_suspect
-            batch.num_deaths[task.key.task_index] = num_deaths
-            if num_deaths < MAX_ATTEMPTS:
-                batch.pending.appendleft(task)
-            else:
-                text = f"task {task.key.task_index}: {num_deaths} workers died under it ({reason})"
-                batch.deliver(task.key.task_index, None, text, num_deaths)
+            self._queue.note_death(task, is_suspect, reason)
         self._num_failed_starts += not worker.is_ready
         if self._num_failed_starts < MAX_FAILED_STARTS:
             self._workers.append(self._start_worker())
@@ -186,9 +151,7 @@ class Dispatcher(threading.Thread):
 
     def _give_up(self, reason: str) -> None:
         self._failure = f"worker processes end before they are ready ({reason})"
-        for batch in self._batches.values():
-            batch.abandon(self._failure)
-        self._batches.clear()
+        self._queue.abandon(self._failure)
 
     def _kill_hung(self) -> None:
         now = time.monotonic()

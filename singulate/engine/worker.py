@@ -1,20 +1,15 @@
 """The life of a local worker process: ``python -m singulate.engine.worker FD PARENT_PID NICE``."""
 
 import os
-import pickle
 import signal
 import sys
-from collections import OrderedDict, deque
-from collections.abc import Callable
+from collections import deque
 from contextlib import suppress
 from multiprocessing.connection import Connection
-from typing import Any
 
 from singulate.engine.messages import DropBatch, Finished, Ready, RunTask
 from singulate.engine.parent_death import die_with_parent
-
-MAX_TOOLS = 3
-"""Tools that a worker keeps; the one not used for longest goes first."""
+from singulate.engine.tool_box import ToolBox, one_line
 
 
 def main(fd: int, parent_pid: int, niceness: int) -> None:
@@ -47,33 +42,14 @@ def _serve(connection: Connection) -> None:
             _answer(connection, task, tools)
 
 
-def _answer(connection: Connection, task: RunTask, tools: "ToolBox") -> None:
+def _answer(connection: Connection, task: RunTask, tools: ToolBox) -> None:
+    finished = tools.run(task)
     try:
-        work: Callable[[Any, Any], object] = pickle.loads(task.work)
-        outcome = work(tools.get(task.tool), pickle.loads(task.task))
-        connection.send(Finished(task.key, outcome, None))
+        connection.send(finished)
     except (BrokenPipeError, ConnectionResetError):
         raise
-    except Exception as error:  # whatever a task raises is its result, not the worker's end
-        text = f"{type(error).__name__}: {error}".replace("\n", " ")
-        connection.send(Finished(task.key, None, text))
-
-
-class ToolBox:
-    """The tools of one worker, each built on its first use."""
-
-    def __init__(self) -> None:
-        self._tools: OrderedDict[bytes, object] = OrderedDict()
-
-    def get(self, factory: bytes) -> object:
-        """The tool of this pickled factory."""
-        if factory not in self._tools:
-            while len(self._tools) >= MAX_TOOLS:
-                _, oldest = self._tools.popitem(last=False)
-                getattr(oldest, "close", lambda: None)()
-            self._tools[factory] = pickle.loads(factory)()
-        self._tools.move_to_end(factory)
-        return self._tools[factory]
+    except Exception as error:  # the outcome cannot be pickled
+        connection.send(Finished(task.key, None, one_line(error)))
 
 
 if __name__ == "__main__":

@@ -25,6 +25,8 @@ class TrainingConfig:
         checkpoint_every: Pushes between checkpoints.
         num_checkpoints: Checkpoints that are kept; older ones are removed.
         num_threads: Threads of torch.
+        dataset: Directory of a data set to learn from instead of the simulation; None for none.
+        dataset_sha256: Hash of its content, which has to fit.
 
     Raises:
         InvalidValueError: If a value is not allowed, or the agent cannot use the action encoding.
@@ -38,12 +40,18 @@ class TrainingConfig:
     checkpoint_every: int = 5_000
     num_checkpoints: int = 5
     num_threads: int = 1
+    dataset: str | None = None
+    dataset_sha256: str | None = None
 
     def __post_init__(self) -> None:
         if self.env.action not in self.kind.actions:
             raise InvalidValueError(
                 "action", self.env.action, f"{', '.join(self.kind.actions)} for {self.agent}"
             )
+        for key in ("dataset", "dataset_sha256"):
+            value = getattr(self, key)
+            if not isinstance(value, str | None):
+                raise InvalidValueError(key, value, "a text, or null")
         check_int("steps", self.total_timesteps, 1, 1_000_000_000)
         check_int("seed", self.seed, 0, MAX_SEED)
         check_int("checkpoint_every", self.checkpoint_every, 1, 1_000_000_000)

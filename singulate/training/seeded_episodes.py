@@ -7,7 +7,8 @@ import gymnasium as gym
 import numpy as np
 import numpy.typing as npt
 
-from singulate.envs import PushEnv, scene_seed
+from singulate.envs import scene_seed
+from singulate.training.environment import TrainingEnv
 
 
 class SeededEpisodes(gym.Wrapper[Any, Any, Any, Any]):
@@ -21,7 +22,7 @@ class SeededEpisodes(gym.Wrapper[Any, Any, Any, Any]):
         run_seed: Seed of the run.
     """
 
-    def __init__(self, env: PushEnv, run_seed: int) -> None:
+    def __init__(self, env: TrainingEnv, run_seed: int) -> None:
         super().__init__(env)
         self.push_env = env
         self.run_seed = run_seed

@@ -9,11 +9,11 @@ from pathlib import Path
 import torch
 
 from singulate.checkpoints.durable import replace_file
-from singulate.envs import PushEnv
 from singulate.runs import Heartbeat, RunDirectory, RunLock, RunStatus
 from singulate.training.callback import SessionCallback
 from singulate.training.config import TrainingConfig
 from singulate.training.controls import Controls, stop_on_signals
+from singulate.training.environment import make_training_env
 from singulate.training.model import build_training_model
 from singulate.training.resuming import resume_training
 from singulate.training.seeded_episodes import SeededEpisodes
@@ -77,7 +77,7 @@ def train(
         heartbeat = stack.enter_context(Heartbeat(run_dir, status))
         controls = stack.enter_context(Controls(run_dir, heartbeat))
         stack.enter_context(stop_on_signals(controls))
-        env = PushEnv(None, **config.env.to_dict())
+        env = make_training_env(config)
         stack.callback(env.close)
         episodes = SeededEpisodes(env, config.seed)
         model = build_training_model(config, episodes)

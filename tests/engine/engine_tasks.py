@@ -55,3 +55,7 @@ def big(_tool: object, blob: bytes) -> bytes:
 
 def niceness(_tool: object, _task: int) -> int:
     return os.nice(0)
+
+
+def unsendable(_tool: object, _task: int) -> object:
+    return (i for i in range(3))

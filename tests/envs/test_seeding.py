@@ -14,6 +14,13 @@ def test_training_and_evaluation_never_share_a_scene():
     assert all(seed % 2 == 1 for seed in evaluation)
 
 
+def test_scenes_of_data_sets_are_neither_trained_nor_evaluated_on():
+    dataset = {scene_seed("dataset", run, i) for run in range(20) for i in range(200)}
+    assert len(dataset) == 4000
+    assert min(dataset) >= 2**63 > scene_seed("training", 0, 0)
+    assert max(dataset) < 2**64
+
+
 def test_seeds_are_the_same_in_every_version():
     assert scene_seed("training", 0, 0) == 7896617691693857886
     assert scene_seed("evaluation", 7, 3) == scene_seed("evaluation", 7, 3)

@@ -1,4 +1,4 @@
-"""A batch of the local engine."""
+"""A batch whose results come from a thread of its engine."""
 
 from collections import deque
 from collections.abc import Callable, Iterator
@@ -12,7 +12,7 @@ from singulate.engine.messages import RunTask
 ResultT = TypeVar("ResultT")
 
 
-class LocalBatch(Generic[ResultT]):
+class QueuedBatch(Generic[ResultT]):
     """Results travel from the engine's thread to the caller through a queue.
 
     Args:
