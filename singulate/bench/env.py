@@ -85,9 +85,7 @@ def _pushes(rates: dict[str, Rate], worker_counts: tuple[int, ...]) -> Iterator[
         name = f"touching pushes, {how}"
         rate = rates[_name("touching pushes", how, 1)]
         yield Measurement(f"{name}, pictures", _PICTURES * rate.steps, "1/s", "1 worker, 64 x 64")
-        note = (
-            "1 worker; seconds on the table from the approach to rest, left out or not, in a second"
-        )
+        note = "1 worker; seconds on the table in a second, those left out included"
         yield Measurement(f"{name}, simulated time", rate.simulated, "s/s", note)
 
 

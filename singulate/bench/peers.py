@@ -88,8 +88,9 @@ class Peer:
         # Bullet greets on standard output, where `singulate bench --json` prints its numbers.
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
         importlib.import_module(spec.module)
+        settings: dict[str, Any] = dict(spec.settings)
         self._env: gymnasium.Env[Any, Any] = gymnasium.make(
-            spec.env_id, disable_env_checker=True, **dict(spec.settings)
+            spec.env_id, disable_env_checker=True, **settings
         )
         self._renders = spec.renders
         self.seconds_a_step = 1.0 / float(self._env.unwrapped.metadata["render_fps"])

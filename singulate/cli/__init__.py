@@ -16,6 +16,7 @@ COMMANDS: dict[str, str] = {
     "rewardmap": "true reward of every push on a scene",
     "runs": "list, show, steer, export and delete training runs",
     "bench": "measure speeds on this machine",
+    "soak": "memory of one process over many pushes and reward maps",
     "exactness": "compare every shortcut of the simulation with the plain push",
 }
 """Every subcommand is a module of this package with an ``add_parser(subparsers)``."""
