@@ -87,7 +87,8 @@ def _table(head: tuple[str, ...], rows: Sequence[tuple[str, ...]], alignment: st
 
 
 def _quantity(measurement: Measurement) -> str:
-    return f"{_number(measurement.value)} {measurement.unit}".strip()
+    unit = "" if measurement.value is None else measurement.unit
+    return f"{_number(measurement.value)} {unit}".strip()
 
 
 def _number(value: float | None) -> str:

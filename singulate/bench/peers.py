@@ -14,6 +14,8 @@ import gymnasium
 
 from singulate.bench.turns import Stint, Turn
 
+_EXTRA = "pip install -c constraints.txt -e '.[bench]'"
+
 
 @dataclass(frozen=True)
 class PeerSpec:
@@ -35,7 +37,7 @@ class PeerSpec:
     settings: tuple[tuple[str, object], ...]
     renders: bool
     what: str
-    install: str = "pip install -c constraints.txt -e '.[bench]'"
+    install: str = _EXTRA
 
     @property
     def is_installed(self) -> bool:
@@ -70,8 +72,7 @@ PEERS: dict[str, PeerSpec] = {
         (("obs_type", "pixels"), ("render_mode", "rgb_array")),
         renders=False,
         what="a step of 100 ms in two dimensions with its 96 x 96 pixels",
-        # It asks for opencv-python, whose files would replace those of opencv-python-headless.
-        install="the same, then pip install -c constraints.txt --no-deps gym-pusht",
+        install=f"{_EXTRA}, then pip install -c constraints.txt --no-deps gym-pusht",
     ),
 }
 """By the name of their rows."""

@@ -33,7 +33,9 @@ def check_plot_target(path: Path) -> None:
     try:
         import matplotlib.figure  # noqa: F401
     except ImportError:
-        raise SingulateError("a plot needs Matplotlib: pip install matplotlib") from None
+        raise SingulateError(
+            "a plot needs Matplotlib: pip install -c constraints.txt -e '.[bench]'"
+        ) from None
 
 
 def save_plot(results: BenchResults, path: Path) -> None:

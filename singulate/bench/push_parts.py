@@ -93,6 +93,8 @@ def time_parts(env: TimedEnv, turn: Turn) -> PushParts:
     while not num_pushes or total < turn.seconds:
         total += _episode(env, rng)
         num_pushes += 1
+    spent = (scene.push_s, scene.image_s, task.perception_s)
+    physics, image, perception = (each / num_pushes for each in spent)
     num_profiled = 1 + num_pushes // 5
     profiler = cProfile.Profile()
     for _ in range(num_profiled):
@@ -100,9 +102,9 @@ def time_parts(env: TimedEnv, turn: Turn) -> PushParts:
     calls, seconds = _solver(profiler)
     return PushParts(
         total=total / num_pushes,
-        physics=scene.push_s / num_pushes,
-        image=scene.image_s / num_pushes,
-        perception=task.perception_s / num_pushes,
+        physics=physics,
+        image=image,
+        perception=perception,
         solver=seconds / num_profiled,
         num_solver_steps=calls / num_profiled,
     )

@@ -80,13 +80,13 @@ def _seconds(
 def _time_shared(prober: Prober, request: RewardMapRequest) -> float:
     """Seconds for a whole map."""
     began = time.perf_counter()
-    is_open = np.isnan(survey(prober, (request, RESOLUTION)))
-    simulate_lines(prober, LinesTask(request, RESOLUTION, split_into_lines(is_open)))
+    is_open = np.isnan(survey(prober, (request, request.resolution)))
+    simulate_lines(prober, LinesTask(request, request.resolution, split_into_lines(is_open)))
     return time.perf_counter() - began
 
 
 def _time_plain(prober: Prober, task: _PlainTask) -> float:
     """Seconds for a plain push from each of some cells."""
     began = time.perf_counter()
-    simulate(prober, PushTasks(task.request, RESOLUTION, task.cells))
+    simulate(prober, PushTasks(task.request, task.request.resolution, task.cells))
     return time.perf_counter() - began

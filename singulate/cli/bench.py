@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rich.console import Console
+from rich.markup import escape
 from rich.table import Table
 
 from singulate.bench import BENCHMARKS, BenchOptions, Measurement, describe_machine
@@ -45,6 +46,7 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument(
         "--read", type=Path, metavar="JSON", help="show numbers that were printed by --json"
     )
+    parser.add_argument("--out", type=Path, metavar="FILE", help="write the JSON there")
     parser.add_argument(
         "--plot", type=Path, metavar="FILE", help="draw the curves, as .png or .svg"
     )
@@ -64,8 +66,10 @@ def _run(args: argparse.Namespace) -> int:
         if name not in BENCHMARKS:
             raise InvalidValueError("benchmark", name, ", ".join(BENCHMARKS))
     options = BenchOptions(args.seconds, args.repeats, args.workers)
+    for key in ("out", "plot", "page"):
+        if getattr(args, key) is not None:
+            check_file_target(key, getattr(args, key))
     if args.plot is not None:
-        check_file_target("plot", args.plot)
         check_plot_target(args.plot)
     console = Console(stderr=args.json)
     if args.read is None:
@@ -74,17 +78,23 @@ def _run(args: argparse.Namespace) -> int:
         results = _read(args.read, args.names)
         if not args.json:
             _print(results, console)
-    if args.plot is not None:
-        save_plot(results, args.plot)
-    if args.page is not None:
-        soaked = read_soak(args.page.parent / "memory.json")
-        args.page.write_text(fill_page(args.page.read_text(), results, soaked))
+    _save(results, args.out, args.plot, args.page)
     if args.json:
         print(results.to_json())
     else:
         machine = ", ".join(f"{key}: {value}" for key, value in results.machine.items())
         console.print(machine, style="dim")
     return 0
+
+
+def _save(results: BenchResults, out: Path | None, plot: Path | None, page: Path | None) -> None:
+    if out is not None:
+        out.write_text(results.to_json() + "\n")
+    if plot is not None:
+        save_plot(results, plot)
+    if page is not None:
+        soaked = read_soak(page.parent / "memory.json")
+        page.write_text(fill_page(page.read_text(), results, soaked))
 
 
 def _measure(
@@ -130,5 +140,5 @@ def _table(name: str, measurements: Sequence[Measurement], seconds: float) -> Ta
     for each in measurements:
         what = each.name if each.at is None else f"{each.name}, {each.at:g} {each.axis}"
         value = "-" if each.value is None else f"{each.value:.4g}"
-        table.add_row(what, value, each.unit, each.note)
+        table.add_row(what, value, each.unit, escape(each.note))
     return table
