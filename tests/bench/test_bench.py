@@ -62,7 +62,7 @@ def test_parts_add_up_to_a_touching_push(measured: dict[str, Measurement]) -> No
     assert all(part.value and part.value > 0.0 for part in parts)
     assert 98 <= sum(int(part.note.split("%")[0]) for part in parts) <= 102
     solver, physics = measured["touching push, solver"], parts[0]
-    assert solver.value and physics.value and 0.0 < solver.value < physics.value * 1.5
+    assert solver.value and physics.value and 0.0 < solver.value < physics.value
     assert int(solver.note.split(": ")[1].split()[0]) > 20
 
 
