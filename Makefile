@@ -9,13 +9,15 @@ FIND_PYTHON = for python in "$(PYTHON)" python3.11 python3 python; do \
 	if [ -n "$$python" ] && "$$python" -c 'import sys; sys.exit(sys.version_info[:2] != (3, 11))' 2>/dev/null; \
 	then echo "$$python"; exit; fi; done
 
-.PHONY: help run test test-all lint format type bench install chromium clean
+.PHONY: help run test test-all lint format type bench peers performance install chromium clean
 
 help:
 	@echo "make run        set everything up and open the dashboard (ARGS='--port 8080')"
 	@echo "make test       set everything up, Chromium included, then lint, type check and test"
 	@echo "make test-all   the same with the slow learning runs and soaks"
-	@echo "make lint type format bench clean"
+	@echo "make bench      measure speeds; after 'make peers' also those of other environments"
+	@echo "make performance   measure everything that docs/performance.md shows (an hour, a calm machine)"
+	@echo "make lint type format clean"
 
 run: install
 	@$(BIN)/python -m app --open $(ARGS)
@@ -39,6 +41,15 @@ type: install
 
 bench: install
 	$(BIN)/singulate bench $(ARGS)
+
+# gym-pusht asks for opencv-python, whose files would replace those of opencv-python-headless.
+peers: install
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[bench]'
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt --no-deps gym-pusht
+
+performance: peers chromium
+	$(BIN)/singulate soak --out docs/memory.json
+	$(BIN)/singulate bench --out docs/performance.json --plot static/growth.png --page docs/performance.md
 
 install: $(STAMP)
 

@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterator
 
 from singulate.bench.dashboard import bench_dashboard
 from singulate.bench.env import bench_env
+from singulate.bench.growth import bench_growth
 from singulate.bench.learning import bench_learning
 from singulate.bench.measurement import BenchOptions, Measurement
 from singulate.bench.rewardmap import bench_rewardmap
@@ -11,6 +12,7 @@ from singulate.bench.rewardmap import bench_rewardmap
 BENCHMARKS: dict[str, Callable[[BenchOptions], Iterator[Measurement]]] = {
     "env": bench_env,
     "rewardmap": bench_rewardmap,
+    "growth": bench_growth,
     "learning": bench_learning,
     "dashboard": bench_dashboard,
 }

@@ -1,10 +1,7 @@
 """Trains for a while with a stopwatch."""
 
-import resource
-import sys
 import time
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,6 +9,7 @@ import numpy.typing as npt
 import torch
 from stable_baselines3.common.callbacks import BaseCallback
 
+from singulate.bench.memory import own_memory
 from singulate.envs import PushEnv
 from singulate.training.config import TrainingConfig
 from singulate.training.model import build_training_model
@@ -61,7 +59,7 @@ def measure_learning(config: TrainingConfig, seconds: float) -> LearningTime:
         total_s=watch.total_s,
         environment_s=episodes.spent_s,
         update_s=watch.update_s,
-        peak_bytes=_peak_memory(),
+        peak_bytes=own_memory().peak_bytes,
     )
 
 
@@ -125,15 +123,3 @@ class _Stopwatch(BaseCallback):
 
     def _on_step(self) -> bool:
         return True
-
-
-def _peak_memory() -> int:
-    """In bytes; on Linux that of this program alone, without what its parent had used."""
-    status = Path("/proc/self/status")
-    if status.exists():
-        for line in status.read_text().splitlines():
-            if line.startswith("VmHWM:"):
-                return int(line.split()[1]) * 1024
-    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * (
-        1 if sys.platform == "darwin" else 1024
-    )

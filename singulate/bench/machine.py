@@ -8,11 +8,11 @@ from pathlib import Path
 _PACKAGES = ("pybullet", "numpy", "torch", "viser")
 
 
-def describe_machine() -> dict[str, object]:
+def describe_machine() -> dict[str, str | int | float]:
     """Processor, cores, load before the benchmark, and versions."""
     return {
         "processor": _processor(),
-        "num_cores": os.cpu_count(),
+        "num_cores": os.cpu_count() or 1,
         "load_average": round(os.getloadavg()[0], 2),
         "python": platform.python_version(),
         **{package: version(package) for package in _PACKAGES},

@@ -1,8 +1,10 @@
 """One measured number, and what to measure."""
 
 import math
+import os
 from dataclasses import dataclass
 
+from singulate.engine.local_engine import MAX_WORKERS
 from singulate.exceptions import InvalidValueError
 
 
@@ -11,16 +13,21 @@ class Measurement:
     """A number that a benchmark has found.
 
     Attributes:
-        name: What was measured, unique within the benchmark.
-        value: How much.
+        name: What was measured, unique within the benchmark; of a point of a curve, the curve's
+            name, which each point has once.
+        value: How much; None where it could not be measured, which the note then explains.
         unit: Of what; empty for ratios.
         note: What exactly was compared or counted.
+        axis: Of a point of a curve: what grows along it, such as ``blocks``; else empty.
+        at: Of a point of a curve: where it is on that axis.
     """
 
     name: str
-    value: float
+    value: float | None
     unit: str
     note: str = ""
+    axis: str = ""
+    at: float | None = None
 
 
 @dataclass(frozen=True)
@@ -45,3 +52,16 @@ class BenchOptions:
             raise InvalidValueError("seconds", self.seconds, "more than 0, at most 3600")
         if not 1 <= self.num_repeats <= 1000:
             raise InvalidValueError("repeats", self.num_repeats, "1 to 1000")
+        if self.num_workers is not None and not 1 <= self.num_workers <= MAX_WORKERS:
+            raise InvalidValueError("workers", self.num_workers, f"1 to {MAX_WORKERS}")
+
+    @property
+    def worker_counts(self) -> tuple[int, ...]:
+        """Numbers of workers to compare: 1, 2, 4 ... up to all.
+
+        Example:
+            >>> BenchOptions(num_workers=6).worker_counts
+            (1, 2, 4, 6)
+        """
+        most = self.num_workers or os.cpu_count() or 1
+        return (*(2**i for i in range(most.bit_length()) if 2**i < most), most)

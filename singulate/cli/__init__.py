@@ -18,6 +18,7 @@ COMMANDS: dict[str, str] = {
     "sweep": "train and evaluate every combination of agents, scenarios, settings and seeds",
     "runs": "list, show, steer, export and delete training runs",
     "bench": "measure speeds on this machine",
+    "soak": "memory of one process over many pushes and reward maps",
     "exactness": "compare every shortcut of the simulation with the plain push",
 }
 """Every subcommand is a module of this package with an ``add_parser(subparsers)``."""

@@ -1,16 +1,21 @@
 """``singulate bench``: how fast things are on this machine."""
 
 import argparse
-import json
 import time
 from collections.abc import Sequence
-from dataclasses import asdict
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rich.console import Console
+from rich.markup import escape
 from rich.table import Table
 
 from singulate.bench import BENCHMARKS, BenchOptions, Measurement, describe_machine
+from singulate.bench.page import fill_page
+from singulate.bench.plot import check_plot_target, save_plot
+from singulate.bench.results import BenchResults, read_results
+from singulate.bench.soak import read_soak
+from singulate.cli.targets import check_file_target
 from singulate.exceptions import InvalidValueError
 
 if TYPE_CHECKING:
@@ -38,6 +43,20 @@ def add_parser(subparsers: "Subparsers") -> None:
         help="scenes or runs behind a median (%(default)s)",
     )
     parser.add_argument("--workers", type=int, help="worker processes (one a core)")
+    parser.add_argument(
+        "--read", type=Path, metavar="JSON", help="show numbers that were printed by --json"
+    )
+    parser.add_argument("--out", type=Path, metavar="FILE", help="write the JSON there")
+    parser.add_argument(
+        "--plot", type=Path, metavar="FILE", help="draw the curves, as .png or .svg"
+    )
+    parser.add_argument(
+        "--page",
+        type=Path,
+        metavar="FILE",
+        help="replace the tables of a Markdown page; those of memory are read from memory.json "
+        "beside it",
+    )
     parser.add_argument("--json", action="store_true", help="print JSON")
     parser.set_defaults(run=_run)
 
@@ -47,21 +66,69 @@ def _run(args: argparse.Namespace) -> int:
         if name not in BENCHMARKS:
             raise InvalidValueError("benchmark", name, ", ".join(BENCHMARKS))
     options = BenchOptions(args.seconds, args.repeats, args.workers)
-    machine = describe_machine()
+    for key in ("out", "plot", "page"):
+        if getattr(args, key) is not None:
+            check_file_target(key, getattr(args, key))
+    if args.plot is not None:
+        check_plot_target(args.plot)
     console = Console(stderr=args.json)
-    results: dict[str, list[dict[str, object]]] = {}
-    for name in args.names or BENCHMARKS:
+    if args.read is None:
+        results = _measure(args.names or list(BENCHMARKS), options, console, not args.json)
+    else:
+        results = _read(args.read, args.names)
+        if not args.json:
+            _print(results, console)
+    _save(results, args.out, args.plot, args.page)
+    if args.json:
+        print(results.to_json())
+    else:
+        machine = ", ".join(f"{key}: {value}" for key, value in results.machine.items())
+        console.print(machine, style="dim")
+    return 0
+
+
+def _save(results: BenchResults, out: Path | None, plot: Path | None, page: Path | None) -> None:
+    if out is not None:
+        out.write_text(results.to_json() + "\n")
+    if plot is not None:
+        save_plot(results, plot)
+    if page is not None:
+        soaked = read_soak(page.parent / "memory.json")
+        page.write_text(fill_page(page.read_text(), results, soaked))
+
+
+def _measure(
+    names: Sequence[str], options: BenchOptions, console: Console, is_shown: bool
+) -> BenchResults:
+    results = BenchResults(describe_machine(), {}, {})
+    for name in names:
         began = time.monotonic()
         with console.status(f"measuring: {name}"):
-            measurements = list(BENCHMARKS[name](options))
-        results[name] = [asdict(measurement) for measurement in measurements]
-        if not args.json:
-            console.print(_table(name, measurements, time.monotonic() - began))
-    if args.json:
-        print(json.dumps({"machine": machine, "benchmarks": results}))
-    else:
-        console.print(", ".join(f"{key}: {value}" for key, value in machine.items()), style="dim")
-    return 0
+            results.benchmarks[name] = list(BENCHMARKS[name](options))
+        results.seconds[name] = round(time.monotonic() - began, 1)
+        if is_shown:
+            console.print(_table(name, results.benchmarks[name], results.seconds[name]))
+    return results
+
+
+def _read(path: Path, names: Sequence[str]) -> BenchResults:
+    results = read_results(path)
+    for name in names:
+        if name not in results.benchmarks:
+            raise InvalidValueError(
+                "benchmark", name, f"of {path}: {', '.join(results.benchmarks)}"
+            )
+    kept = names or list(results.benchmarks)
+    return BenchResults(
+        results.machine,
+        {name: results.benchmarks[name] for name in kept},
+        {name: results.seconds[name] for name in kept},
+    )
+
+
+def _print(results: BenchResults, console: Console) -> None:
+    for name, measurements in results.benchmarks.items():
+        console.print(_table(name, measurements, results.seconds[name]))
 
 
 def _table(name: str, measurements: Sequence[Measurement], seconds: float) -> Table:
@@ -70,8 +137,8 @@ def _table(name: str, measurements: Sequence[Measurement], seconds: float) -> Ta
     table.add_column("value", justify="right")
     table.add_column("unit")
     table.add_column("how", style="dim")
-    for measurement in measurements:
-        table.add_row(
-            measurement.name, f"{measurement.value:.4g}", measurement.unit, measurement.note
-        )
+    for each in measurements:
+        what = each.name if each.at is None else f"{each.name}, {each.at:g} {each.axis}"
+        value = "-" if each.value is None else f"{each.value:.4g}"
+        table.add_row(what, value, each.unit, escape(each.note))
     return table
