@@ -4,7 +4,7 @@ import math
 import os
 from dataclasses import dataclass
 
-from singulate.engine.local_engine import MAX_WORKERS
+from singulate.engine.dispatched_engine import MAX_WORKERS
 from singulate.exceptions import InvalidValueError
 
 
