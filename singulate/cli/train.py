@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 DEFAULT_STEPS = 20_000
 NEW_RUN_OPTIONS = (
     "agent", "scenario", "seed", "observation", "action", "reward", "max_pushes",
-    "goal_separation", "checkpoint_every", "settings",
+    "goal_separation", "checkpoint_every", "envs", "workers", "settings",
 )  # fmt: skip
 """Options that describe a new run, so they fit neither ``--config`` nor ``--resume``."""
 
@@ -42,6 +42,10 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument("--reward", help=", ".join(REWARDS))
     parser.add_argument("--max-pushes", type=int, help="pushes an episode may take")
     parser.add_argument("--goal-separation", type=float, metavar="M", help="d_goal of Eq. 2 [m]")
+    parser.add_argument("--envs", type=int, metavar="N", help="environments at the same time (1)")
+    parser.add_argument(
+        "--workers", type=int, metavar="N", help="processes for several of them (one a core)"
+    )
     parser.add_argument("--checkpoint-every", type=int, metavar="N", help="pushes between them")
     parser.add_argument(
         "--set",
@@ -106,7 +110,12 @@ def _config_of_options(args: argparse.Namespace) -> TrainingConfig:
     env_names = ("scenario", "observation", "reward", "max_pushes", "goal_separation")
     env_values = {name: getattr(args, name) for name in env_names}
     env_values["action"] = args.action or kind.actions[0]
-    given: dict[str, Any] = {"seed": args.seed, "checkpoint_every": args.checkpoint_every}
+    given: dict[str, Any] = {
+        "seed": args.seed,
+        "checkpoint_every": args.checkpoint_every,
+        "num_envs": args.envs,
+        "num_workers": args.workers,
+    }
     return TrainingConfig(
         agent=kind.name,
         env=EnvConfig.from_dict({k: v for k, v in env_values.items() if v is not None}),
