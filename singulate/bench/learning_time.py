@@ -5,6 +5,7 @@ import resource
 import sys
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -17,8 +18,9 @@ from stable_baselines3.common.vec_env.base_vec_env import VecEnvObs, VecEnvStepR
 from singulate.envs import push_task
 from singulate.simulation import Scene
 from singulate.training.config import TrainingConfig
-from singulate.training.envs import WorkerEnvs, make_training_envs
+from singulate.training.envs import make_training_envs
 from singulate.training.model import build_training_model
+from singulate.training.workers.worker_envs import WorkerEnvs
 
 
 @dataclass
@@ -92,20 +94,14 @@ class TimedTraining:
             sum(peak_memory(pid) for pid in (os.getpid(), *self.worker_pids)),
         )
 
-    def close(self) -> None:
-        """End the workers."""
-        self._envs.close()
-
     def _learn(self, is_enough: Callable[[], bool]) -> None:
-        try:
+        with suppress(_TimeIsUp):
             self.model.learn(
                 self.config.total_timesteps,
                 callback=_Stop(is_enough),
                 reset_num_timesteps=False,
                 log_interval=None,  # type: ignore[arg-type]
             )
-        except _TimeIsUp:
-            pass
 
     def _cpu_s(self) -> float:
         return time.process_time() + sum(_cpu_of(pid) for pid in self.worker_pids)

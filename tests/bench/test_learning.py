@@ -1,13 +1,41 @@
-from singulate.bench import BENCHMARKS, BenchOptions
+import pytest
+
+from singulate.bench import BENCHMARKS, BenchOptions, Measurement
+
+LOCAL_PARTS = ("physics", "image", "perception", "rest of the environment", "update", "acting")
+WORKER_PARTS = ("waiting", "update", "acting")
 
 
-def test_both_agents_are_timed_and_the_parts_add_up() -> None:
-    found = {m.name: m for m in BENCHMARKS["learning"](BenchOptions(seconds=0.1))}
-    for agent, scenario in (("DQN", "random-2"), ("PPO", "fixed-2")):
-        learning = found[f"{agent}, learning"]
-        assert learning.unit == "pushes/s"
-        assert scenario in learning.note
-        parts = [found[f"{agent}, {part}"].value for part in ("environment", "acting", "update")]
-        assert min(parts) > 0.0
-        assert abs(sum(parts) - 1e3 / learning.value) < 1e-6
-        assert 50.0 < found[f"{agent}, peak memory"].value < 4096.0
+@pytest.fixture(scope="module")
+def found() -> dict[str, Measurement]:
+    options = BenchOptions(seconds=0.1, num_repeats=1)
+    return {m.name: m for m in BENCHMARKS["learning"](options)}
+
+
+@pytest.mark.parametrize(("agent", "scenario"), [("DQN", "random-2"), ("PPO", "fixed-2")])
+@pytest.mark.parametrize(
+    ("way", "parts"),
+    [
+        ("1 environment", LOCAL_PARTS),
+        ("4 environments, 1 worker", WORKER_PARTS),
+        ("4 environments, 2 workers", WORKER_PARTS),
+    ],
+)
+def test_both_agents_are_timed_and_the_parts_add_up(
+    agent: str, scenario: str, way: str, parts: tuple[str, ...], found: dict[str, Measurement]
+) -> None:
+    learning = found[f"{agent}, {way}"]
+    assert learning.unit == "pushes/s"
+    assert scenario in learning.note
+    spent = [found[f"{agent}, {way}, {part}"].value for part in parts]
+    assert min(spent) > 0.0
+    assert abs(sum(spent) - 1e3 / learning.value) < 1e-6
+    assert 50.0 < found[f"{agent}, {way}, peak memory"].value < 4096.0
+    assert found[f"{agent}, {way}, cores"].value > 0.1
+
+
+@pytest.mark.parametrize("agent", ["DQN", "PPO"])
+def test_gains_are_ratios_of_the_same_run(agent: str, found: dict[str, Measurement]) -> None:
+    way = f"{agent}, 4 environments, 2 workers"
+    expected = found[way].value / found[f"{agent}, 1 environment"].value
+    assert found[f"{way}, gain"].value == pytest.approx(expected)
