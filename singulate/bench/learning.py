@@ -24,18 +24,14 @@ CONFIGS = (
 """Default settings, but PPO updates after 256 pushes to fit the time; a push costs the same."""
 
 NUM_ENVS = 4
-CHANGES = (
-    {"num_envs": 1, "num_workers": 0},
-    {"num_envs": NUM_ENVS, "num_workers": 1},
-    {"num_envs": NUM_ENVS, "num_workers": 2},
-)
-"""What is compared: the trainer's own environment, then several in workers."""
+WAYS = ((1, 0), (NUM_ENVS, 1), (NUM_ENVS, 2))
+"""Environments and workers that are compared; without workers they are in the trainer."""
 
 
 def bench_learning(options: BenchOptions) -> Iterator[Measurement]:
     """Train each agent shortly without record and checkpoints, in ways that take turns."""
     for config in CONFIGS:
-        trainings = [_Training(replace(config, **change)) for change in CHANGES]
+        trainings = [_Training(replace(config, num_envs=n, num_workers=w)) for n, w in WAYS]
         with ExitStack() as stack:
             for training in trainings:
                 stack.callback(training.close)
