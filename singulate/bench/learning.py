@@ -24,14 +24,18 @@ CONFIGS = (
 """Default settings, but PPO updates after 256 pushes to fit the time; a push costs the same."""
 
 NUM_ENVS = 4
-WAYS = ((1, 0), (NUM_ENVS, 1), (NUM_ENVS, 2))
-"""Environments and workers that are compared; without workers they are in the trainer."""
+WAYS = ((1, 0, 1), (NUM_ENVS, 1, 1), (NUM_ENVS, 2, 1), (NUM_ENVS, 2, 2))
+"""Environments, workers and threads of torch that are compared; without workers the environments
+are in the trainer."""
 
 
 def bench_learning(options: BenchOptions) -> Iterator[Measurement]:
     """Train each agent shortly without record and checkpoints, in ways that take turns."""
     for config in CONFIGS:
-        trainings = [_Training(replace(config, num_envs=n, num_workers=w)) for n, w in WAYS]
+        trainings = [
+            _Training(replace(config, num_envs=envs, num_workers=workers, num_threads=threads))
+            for envs, workers, threads in WAYS
+        ]
         with ExitStack() as stack:
             for training in trainings:
                 stack.callback(training.close)
@@ -39,6 +43,8 @@ def bench_learning(options: BenchOptions) -> Iterator[Measurement]:
             for _ in range(options.num_repeats):
                 for training in trainings:
                     training.run(SECONDS_FACTOR * options.seconds / options.num_repeats)
+            if config.agent == "dqn":
+                yield from trainings[0].gradient_steps(options.seconds)
         first = trainings[0]
         for training in trainings:
             yield from training.measurements()
@@ -60,9 +66,13 @@ class _Training:
     @property
     def name(self) -> str:
         """What the tables call it."""
-        num_envs, num_workers = self._config.num_envs, self._config.resolved_num_workers
-        name = f"{self._config.agent.upper()}, {_count(num_envs, 'environment')}"
-        return name + (f", {_count(num_workers, 'worker')}" if num_workers else "")
+        config = self._config
+        parts = [config.agent.upper(), _count(config.num_envs, "environment")]
+        if config.resolved_num_workers:
+            parts.append(_count(config.resolved_num_workers, "worker"))
+        if config.num_threads > 1:
+            parts.append(_count(config.num_threads, "thread"))
+        return ", ".join(parts)
 
     @property
     def rate(self) -> float:
@@ -77,6 +87,14 @@ class _Training:
         """Let it learn for a while; see `TimedTraining.run`."""
         self._turns.append(self._pool.submit(_run, seconds).result())
 
+    def gradient_steps(self, seconds: float) -> Iterator[Measurement]:
+        """Our gradient step of a DQN against the same one in stable-baselines3."""
+        ours, theirs = self._pool.submit(_time_gradient_steps, seconds).result()
+        name = f"{self._config.agent.upper()}, gradient step"
+        yield Measurement(name, 1e3 * ours, "ms", "of one-push episodes, one thread")
+        yield Measurement(f"{name}, stable-baselines3", 1e3 * theirs, "ms", "the same bits, slower")
+        yield Measurement(f"{name}, gain", theirs / ours, "", "in turns")
+
     def close(self) -> None:
         """End the process; its workers end with it."""
         self._pool.shutdown()
@@ -86,7 +104,7 @@ class _Training:
         num_pushes, total_s = self._sum("num_pushes"), self._sum("total_s")
         note = (
             f"{self._config.env.scenario}, {num_pushes:.0f} pushes of a new agent once it updates, "
-            "one thread of torch, no record or checkpoints"
+            f"{_count(self._config.num_threads, 'thread')} of torch, no record or checkpoints"
         )
         yield Measurement(self.name, self.rate, "pushes/s", note)
         for part in _parts(self._turns, is_local=not self._config.resolved_num_workers):
@@ -148,3 +166,7 @@ def _warm_up() -> None:
 
 def _run(seconds: float) -> "LearningTime":
     return _training.run(seconds)
+
+
+def _time_gradient_steps(seconds: float) -> tuple[float, float]:
+    return _training.time_gradient_steps(seconds)

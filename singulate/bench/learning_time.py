@@ -7,14 +7,17 @@ import time
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import torch
+from stable_baselines3 import DQN
 from stable_baselines3.common.callbacks import BaseCallback
 from stable_baselines3.common.vec_env import VecEnvWrapper
 from stable_baselines3.common.vec_env.base_vec_env import VecEnvObs, VecEnvStepReturn
 
+from singulate.agents.dqn.model import GridDQN
 from singulate.envs import push_task
 from singulate.simulation import Scene
 from singulate.training.config import TrainingConfig
@@ -41,6 +44,8 @@ class LearningTime:
     parts_s: dict[str, float] = field(default_factory=dict)
     peak_bytes: int = 0
 
+
+_STEPS_A_TURN = 10
 
 PARTS = ("environment", "update", "physics", "image", "perception")
 """The last three are in the first, and are seen of an environment in the trainer alone."""
@@ -93,6 +98,26 @@ class TimedTraining:
             {part: self._spent[part] - before[part] for part in PARTS},
             sum(peak_memory(pid) for pid in (os.getpid(), *self.worker_pids)),
         )
+
+    def time_gradient_steps(self, seconds: float) -> tuple[float, float]:
+        """Time of a gradient step of a DQN, ours and stable-baselines3's, in turns [s].
+
+        Args:
+            seconds: How long to measure [s].
+        """
+        assert isinstance(self.model, GridDQN)
+        model, spent, num_turns = self.model, [0.0, 0.0], 0
+        while sum(spent) < seconds:
+            moments = [time.perf_counter()]
+            model.update(_STEPS_A_TURN)
+            moments.append(time.perf_counter())
+            DQN.train(model, _STEPS_A_TURN, model.batch_size)
+            moments.append(time.perf_counter())
+            steps = zip(spent, pairwise(moments), strict=True)
+            spent = [total + end - begin for total, (begin, end) in steps]
+            num_turns += 1
+        num_steps = num_turns * _STEPS_A_TURN
+        return spent[0] / num_steps, spent[1] / num_steps
 
     def _learn(self, is_enough: Callable[[], bool]) -> None:
         with suppress(_TimeIsUp):

@@ -24,7 +24,8 @@ if TYPE_CHECKING:
 DEFAULT_STEPS = 20_000
 NEW_RUN_OPTIONS = (
     "agent", "scenario", "seed", "observation", "action", "reward", "max_pushes",
-    "goal_separation", "checkpoint_every", "envs", "workers", "settings",
+    "goal_separation", "checkpoint_every", "envs", "workers", "threads",
+    "settings",
 )  # fmt: skip
 """Options that describe a new run, so they fit neither ``--config`` nor ``--resume``."""
 
@@ -46,6 +47,7 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument(
         "--workers", type=int, metavar="N", help="processes for several of them (one a core)"
     )
+    parser.add_argument("--threads", type=int, metavar="N", help="threads of torch (1)")
     parser.add_argument("--checkpoint-every", type=int, metavar="N", help="pushes between them")
     parser.add_argument(
         "--set",
@@ -115,6 +117,7 @@ def _config_of_options(args: argparse.Namespace) -> TrainingConfig:
         "checkpoint_every": args.checkpoint_every,
         "num_envs": args.envs,
         "num_workers": args.workers,
+        "num_threads": args.threads,
     }
     return TrainingConfig(
         agent=kind.name,

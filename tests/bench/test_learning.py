@@ -1,15 +1,26 @@
+from collections.abc import Iterator
+from dataclasses import replace
+
 import pytest
 
 from singulate.bench import BENCHMARKS, BenchOptions, Measurement
+from singulate.bench.learning import CONFIGS
 
 LOCAL_PARTS = ("physics", "image", "perception", "rest of the environment", "update", "acting")
 WORKER_PARTS = ("waiting", "update", "acting")
 
 
 @pytest.fixture(scope="module")
-def found() -> dict[str, Measurement]:
-    options = BenchOptions(seconds=0.1, num_repeats=1)
-    return {m.name: m for m in BENCHMARKS["learning"](options)}
+def found() -> Iterator[dict[str, Measurement]]:
+    """Of shorter trainings in fewer ways than outside of tests."""
+    changes = ({"learning_starts": 20}, {"n_steps": 32})
+    pairs = zip(CONFIGS, changes, strict=True)
+    with pytest.MonkeyPatch.context() as patch:
+        short = [replace(config, agent_config=change) for config, change in pairs]
+        patch.setattr("singulate.bench.learning.CONFIGS", short)
+        patch.setattr("singulate.bench.learning.WAYS", ((1, 0, 1), (4, 2, 2)))
+        options = BenchOptions(seconds=0.1, num_repeats=1)
+        yield {m.name: m for m in BENCHMARKS["learning"](options)}
 
 
 @pytest.mark.parametrize(("agent", "scenario"), [("DQN", "random-2"), ("PPO", "fixed-2")])
@@ -17,8 +28,7 @@ def found() -> dict[str, Measurement]:
     ("way", "parts"),
     [
         ("1 environment", LOCAL_PARTS),
-        ("4 environments, 1 worker", WORKER_PARTS),
-        ("4 environments, 2 workers", WORKER_PARTS),
+        ("4 environments, 2 workers, 2 threads", WORKER_PARTS),
     ],
 )
 def test_both_agents_are_timed_and_the_parts_add_up(
@@ -36,6 +46,13 @@ def test_both_agents_are_timed_and_the_parts_add_up(
 
 @pytest.mark.parametrize("agent", ["DQN", "PPO"])
 def test_gains_are_ratios_of_the_same_run(agent: str, found: dict[str, Measurement]) -> None:
-    way = f"{agent}, 4 environments, 2 workers"
+    way = f"{agent}, 4 environments, 2 workers, 2 threads"
     expected = found[way].value / found[f"{agent}, 1 environment"].value
     assert found[f"{way}, gain"].value == pytest.approx(expected)
+
+
+def test_a_gradient_step_beats_that_of_stable_baselines3(found: dict[str, Measurement]) -> None:
+    step = "DQN, gradient step"
+    gain = found[f"{step}, stable-baselines3"].value / found[step].value
+    assert found[f"{step}, gain"].value == pytest.approx(gain)
+    assert gain > 1.0
