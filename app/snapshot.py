@@ -133,7 +133,7 @@ class RunSnapshot:
     Attributes:
         state: ``starting``, ``running``, ``pausing``, ``paused``, ``stopping``, ``stopped``,
             ``finished``, ``failed`` or ``died``.
-        reason: Why it failed or died, one line; empty otherwise.
+        reason: Why it failed or died, or what went wrong last without ending it; one line.
         age_s: Age of the trainer's last sign of life [s].
         curves: Metric histories by name.
         starts: Start positions of the pushes, float32 (N, 2) [m], in order of training.

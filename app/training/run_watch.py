@@ -58,7 +58,7 @@ class RunWatch:
             agent=str(self._config.get("agent", "")),
             scenario=str(env.get("scenario", "")) if isinstance(env, Mapping) else "",
             state=state,
-            reason=status.error if state == status.state else "",
+            reason=(status.error or status.notice) if state == status.state else "",
             num_steps=status.num_steps,
             total_steps=status.total_steps,
             pushes_per_second=status.pushes_per_second,

@@ -30,16 +30,23 @@ class Memory(NamedTuple):
 
 def own_memory() -> Memory:
     """Of this process; on Linux the peak is this program's alone, without its parent's."""
-    status = Path("/proc/self/status")
+    return memory_of(os.getpid())
+
+
+def memory_of(pid: int) -> Memory:
+    """Of any process of ours; where there is no /proc, the peak of another one is what it holds."""
+    status = Path(f"/proc/{pid}/status")
     if status.exists():
         lines = (line.partition(":") for line in status.read_text().splitlines())
         fields = {key: value for key, _, value in lines}
         resident, peak = (1024 * int(fields[key].split()[0]) for key in ("VmRSS", "VmHWM"))
-        return Memory(os.getpid(), resident, peak)
-    ps = ("ps", "-o", "rss=", "-p", str(os.getpid()))
+        return Memory(pid, resident, peak)
+    ps = ("ps", "-o", "rss=", "-p", str(pid))
     resident = 1024 * int(subprocess.run(ps, capture_output=True, check=True).stdout)
+    if pid != os.getpid():
+        return Memory(pid, resident, resident)
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    return Memory(os.getpid(), resident, peak * (1 if sys.platform == "darwin" else 1024))
+    return Memory(pid, resident, peak * (1 if sys.platform == "darwin" else 1024))
 
 
 def workers_memory(engine: Engine) -> list[Memory]:

@@ -25,7 +25,8 @@ if TYPE_CHECKING:
 DEFAULT_STEPS = 20_000
 NEW_RUN_OPTIONS = (
     "agent", "scenario", "seed", "observation", "action", "reward", "max_pushes",
-    "goal_separation", "checkpoint_every", "settings", "dataset",
+    "goal_separation", "checkpoint_every", "envs", "workers", "threads",
+    "settings", "dataset",
 )  # fmt: skip
 """Options that describe a new run, so they fit neither ``--config`` nor ``--resume``."""
 
@@ -46,6 +47,11 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument(
         "--dataset", type=Path, metavar="DIR", help="learn from a data set, without simulating"
     )
+    parser.add_argument("--envs", type=int, metavar="N", help="environments at the same time (1)")
+    parser.add_argument(
+        "--workers", type=int, metavar="N", help="processes for several of them (one a core)"
+    )
+    parser.add_argument("--threads", type=int, metavar="N", help="threads of torch (1)")
     parser.add_argument("--checkpoint-every", type=int, metavar="N", help="pushes between them")
     parser.add_argument(
         "--set",
@@ -108,7 +114,13 @@ def _config_of_options(args: argparse.Namespace) -> TrainingConfig:
         raise InvalidValueError("agent", None, ", ".join(AGENTS))
     kind = agent_kind(args.agent)
     action = args.action or kind.actions[0]
-    given: dict[str, Any] = {"seed": args.seed, "checkpoint_every": args.checkpoint_every}
+    given: dict[str, Any] = {
+        "seed": args.seed,
+        "checkpoint_every": args.checkpoint_every,
+        "num_envs": args.envs,
+        "num_workers": args.workers,
+        "num_threads": args.threads,
+    }
     if args.dataset is not None:
         env, origin = _env_of_dataset(args, action)
         given |= origin

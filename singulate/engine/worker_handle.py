@@ -1,14 +1,11 @@
 """The engine's end of one local worker process."""
 
-import os
-import signal
-import subprocess
 import sys
 import time
 from collections import deque
 from contextlib import suppress
-from multiprocessing import Pipe
 
+from singulate.engine.child_process import ChildProcess
 from singulate.engine.messages import DropBatch, RunTask
 
 MAX_PREFETCH_BYTES = 2**14
@@ -16,16 +13,6 @@ MAX_PREFETCH_BYTES = 2**14
 
 START_TIMEOUT_S = 60.0
 """A worker that is not ready by then is replaced [s]."""
-
-_ONE_THREAD = dict.fromkeys(
-    (
-        "OMP_NUM_THREADS",
-        "OPENBLAS_NUM_THREADS",
-        "MKL_NUM_THREADS",
-        "OPENCV_FOR_THREADS_NUM",
-    ),
-    "1",
-)
 
 
 class WorkerHandle:
@@ -43,22 +30,12 @@ class WorkerHandle:
     """
 
     def __init__(self, niceness: int, hang_timeout_s: float) -> None:
-        self.connection, child = Pipe()
+        self._process = ChildProcess("singulate.engine.worker", [str(niceness)])
+        self.connection = self._process.connection
         self._hang_timeout_s = hang_timeout_s
         self.assigned: deque[RunTask] = deque()
         self.is_ready = False
         self.deadline = time.monotonic() + START_TIMEOUT_S
-        with child:
-            arguments = [str(child.fileno()), str(os.getpid()), str(niceness)]
-            self._process = subprocess.Popen(
-                [sys.executable, "-m", "singulate.engine.worker", *arguments],
-                pass_fds=[child.fileno()],
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.DEVNULL,
-                env=os.environ
-                | _ONE_THREAD
-                | {"PYTHONPATH": os.pathsep.join(filter(None, sys.path))},
-            )
         with suppress(BrokenPipeError, ConnectionResetError):
             self.connection.send(list(sys.path))
 
@@ -111,17 +88,7 @@ class WorkerHandle:
         Returns:
             How it ended, for people.
         """
-        self.connection.close()
-        give_up = time.monotonic() + grace_s
-        while self._process.poll() is None and time.monotonic() < give_up:
-            time.sleep(0.005)
-        status = self._process.poll()
-        if status is None:
-            self._process.kill()
-            status = self._process.wait()
-        if status >= 0:
-            return f"exit status {status}"
-        return next((s.name for s in signal.Signals if s == -status), f"signal {-status}")
+        return self._process.end(grace_s)
 
     def _restart_clock(self) -> None:
         timeout = self._hang_timeout_s if self.assigned else float("inf")

@@ -104,28 +104,24 @@ class PushEnv(gymnasium.Env[Any, Any]):
             raise gymnasium.error.ResetNeeded("call reset before step")
         push = self._actions.decode(action)
         poses_before = self.task.scene.poses
-        reward_index, self.num_pushes = self.num_pushes, self.num_pushes + 1
-        self._episode_pushes += 1
         error = ""
         try:
             result = self.task.execute(push)
         except SimulationError as failure:
-            error = str(failure)
-            result = _nothing_happened(push, self.task.percept)
-        info = self._info(result.after) | {
-            "reward_terms": result.terms,
-            "push": push,
-            "outcome": result.outcome,
-            "poses_before": poses_before,
-        }
-        if error:
-            info["simulation_error"] = error
-        is_over = result.is_success or bool(result.outcome.fallen)
-        is_last = self._episode_pushes >= self.config.push_limit
-        terminated = not error and (is_over or (is_last and self.config.push_limit == 1))
-        truncated = bool(error) or (is_last and not terminated)
-        reward = self._reward.total(result.terms, reward_index)
-        return self._observation.observe(result.after), reward, terminated, truncated, info
+            result, error = _nothing_happened(push, self.task.percept), str(failure)
+        return self._conclude(result, poses_before, error)
+
+    def lose(
+        self, action: Any, error: str
+    ) -> tuple[npt.NDArray[np.float32], float, bool, bool, dict[str, Any]]:
+        """Truncate the episode by a push that cannot be simulated; nothing moves.
+
+        Args:
+            action: The push that was wanted.
+            error: What went wrong, for ``info["simulation_error"]``.
+        """
+        nothing = _nothing_happened(self._actions.decode(action), self.task.percept)
+        return self._conclude(nothing, self.task.scene.poses, error)
 
     def encode(self, push: Push) -> Any:
         """The action that comes closest to a push, such as one that a policy chose."""
@@ -138,6 +134,26 @@ class PushEnv(gymnasium.Env[Any, Any]):
     def close(self) -> None:
         """Release the physics engine."""
         self.task.close()
+
+    def _conclude(
+        self, result: PushResult, poses_before: Poses, error: str
+    ) -> tuple[npt.NDArray[np.float32], float, bool, bool, dict[str, Any]]:
+        reward_index, self.num_pushes = self.num_pushes, self.num_pushes + 1
+        self._episode_pushes += 1
+        info = self._info(result.after) | {
+            "reward_terms": result.terms,
+            "push": result.push,
+            "outcome": result.outcome,
+            "poses_before": poses_before,
+        }
+        if error:
+            info["simulation_error"] = error
+        is_over = result.is_success or bool(result.outcome.fallen)
+        is_last = self._episode_pushes >= self.config.push_limit
+        terminated = not error and (is_over or (is_last and self.config.push_limit == 1))
+        truncated = bool(error) or (is_last and not terminated)
+        reward = self._reward.total(result.terms, reward_index)
+        return self._observation.observe(result.after), reward, terminated, truncated, info
 
     def _info(self, percept: Percept) -> dict[str, Any]:
         poses: Poses = self.task.scene.poses

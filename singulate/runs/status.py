@@ -49,6 +49,7 @@ class RunStatus:
         eta_s: Time left [s], None while it cannot be told.
         updated_at: Last sign of life, seconds since 1970.
         error: Why it failed or died, one line; empty otherwise.
+        notice: What went wrong last without stopping it, one line; empty otherwise.
         is_alive: Whether the trainer is there; found out by the reader, never written.
     """
 
@@ -61,6 +62,7 @@ class RunStatus:
     eta_s: float | None = None
     updated_at: float = 0.0
     error: str = ""
+    notice: str = ""
     is_alive: bool = False
 
     def age_s(self, now: float | None = None) -> float:
@@ -145,7 +147,7 @@ def _load(path: Path) -> RunStatus:
 def _is_valid(name: str, value: Any) -> bool:
     if name == "state":
         return value in get_args(RunState) and value != "died"
-    if name in ("host", "error"):
+    if name in ("host", "error", "notice"):
         return isinstance(value, str)
     if name == "is_alive":
         return value is False

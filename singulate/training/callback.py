@@ -2,6 +2,8 @@
 
 from typing import Any
 
+import numpy as np
+import numpy.typing as npt
 from stable_baselines3.common.callbacks import BaseCallback
 from stable_baselines3.common.on_policy_algorithm import OnPolicyAlgorithm
 
@@ -27,14 +29,19 @@ class SessionCallback(BaseCallback):
         self._session.at_safe_point()
 
     def _on_step(self) -> bool:
-        info: dict[str, Any] = self.locals["infos"][0]
-        self._session.after_push(info, self._predicted(), bool(self.locals["dones"][0]))
+        infos: list[dict[str, Any]] = self.locals["infos"]
+        results = zip(infos, self._predicted(), self.locals["dones"], strict=True)
+        for index, (info, predicted, is_done) in enumerate(results):
+            self._session.after_push(index, info, float(predicted), bool(is_done))
+        self._session.note_losses()
         if isinstance(self.model, OnPolicyAlgorithm):
             self._session.between_pushes()
         return True
 
-    def _predicted(self) -> float:
-        """Expected reward of the executed push: V of PPO, Q of a DQN, in reward units."""
+    def _predicted(self) -> npt.NDArray[np.float64]:
+        """Expected rewards of the executed pushes: V of PPO, Q of a DQN, in reward units."""
         if isinstance(self.model, OnPolicyAlgorithm):
-            return float(self.locals["values"][0, 0]) / REWARD_SCALE
-        return float(self.model.predicted_values[0]) / REWARD_SCALE  # type: ignore[attr-defined]
+            values = self.locals["values"][:, 0].numpy()
+        else:
+            values = self.model.predicted_values  # type: ignore[attr-defined]
+        return np.asarray(values, dtype=np.float64) / REWARD_SCALE

@@ -1,5 +1,6 @@
 """Everything that decides a training run."""
 
+import os
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, fields
 from typing import Any, Self
@@ -10,6 +11,7 @@ from singulate.envs import EnvConfig
 from singulate.exceptions import InvalidValueError
 
 MAX_SEED = 2**32 - 1
+MAX_ENVS = 256
 
 
 @dataclass(frozen=True)
@@ -27,6 +29,11 @@ class TrainingConfig:
         num_threads: Threads of torch.
         dataset: Directory of a data set to learn from instead of the simulation; None for none.
         dataset_sha256: Hash of its content, which has to fit.
+        num_envs: Environments that push at the same time; the total of pushes, the pushes between
+            two updates of PPO and the updates a push of a DQN stay the same.
+        num_workers: Processes that the environments live in, which changes nothing but the speed;
+            0 is the trainer's own. None is 0 for a single environment or a data set, else one a
+            core.
 
     Raises:
         InvalidValueError: If a value is not allowed, or the agent cannot use the action encoding.
@@ -42,6 +49,8 @@ class TrainingConfig:
     num_threads: int = 1
     dataset: str | None = None
     dataset_sha256: str | None = None
+    num_envs: int = 1
+    num_workers: int | None = None
 
     def __post_init__(self) -> None:
         if self.env.action not in self.kind.actions:
@@ -60,6 +69,7 @@ class TrainingConfig:
         resolved = asdict(self.kind.make_config(self.agent_config))
         resolved["net_arch"] = list(resolved["net_arch"])
         object.__setattr__(self, "agent_config", resolved)
+        self._check_envs(resolved.get("n_steps"))
 
     @property
     def kind(self) -> AgentKind:
@@ -70,6 +80,13 @@ class TrainingConfig:
     def resolved_agent_config(self) -> AgentConfig:
         """The agent's settings, checked."""
         return self.kind.make_config(self.agent_config)
+
+    @property
+    def resolved_num_workers(self) -> int:
+        """Processes for the environments, with the default filled in."""
+        if self.num_workers is not None:
+            return self.num_workers
+        return 0 if self.num_envs == 1 or self.dataset else min(self.num_envs, os.cpu_count() or 1)
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values, for JSON, every default filled in."""
@@ -95,3 +112,11 @@ class TrainingConfig:
         if not isinstance(values["env"], Mapping):
             raise InvalidValueError("env", values["env"], "an object with keys")
         return cls(**{**values, "env": EnvConfig.from_dict(values["env"])})
+
+    def _check_envs(self, n_steps: int | None) -> None:
+        check_int("num_envs", self.num_envs, 1, MAX_ENVS)
+        if n_steps is not None and n_steps % self.num_envs:
+            raise InvalidValueError("num_envs", self.num_envs, f"a divisor of n_steps ({n_steps})")
+        if self.num_workers is not None:
+            highest = 0 if self.dataset else self.num_envs  # a data set needs no workers
+            check_int("num_workers", self.num_workers, 0, highest)

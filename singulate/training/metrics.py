@@ -22,15 +22,19 @@ class Episode:
 
 
 class EpisodeMetrics:
-    """Collects episodes; names follow stable-baselines3 where it has one."""
+    """Collects episodes; names follow stable-baselines3 where it has one.
 
-    def __init__(self) -> None:
+    Args:
+        num_envs: Environments, each with an episode of its own under way.
+    """
+
+    def __init__(self, num_envs: int = 1) -> None:
         self._recent: list[Episode] = []
         self._smooth: deque[Episode] = deque()
         self._sums = [0.0, 0]
         self._terms: list[Mapping[str, float]] = []
-        self._reward = 0.0
-        self._num_pushes = 0
+        self._rewards = [0.0] * num_envs
+        self._num_pushes = [0] * num_envs
 
     @property
     def success_rate(self) -> float:
@@ -43,7 +47,12 @@ class EpisodeMetrics:
         return self._sums[0] / max(len(self._smooth), 1)
 
     def add_push(
-        self, reward: float, terms: Mapping[str, float], is_success: bool, is_done: bool
+        self,
+        reward: float,
+        terms: Mapping[str, float],
+        is_success: bool,
+        is_done: bool,
+        env_index: int = 0,
     ) -> None:
         """Count a push.
 
@@ -52,13 +61,15 @@ class EpisodeMetrics:
             terms: Its unweighted reward terms by name.
             is_success: Whether the scene was singulated afterwards.
             is_done: Whether it was the last of its episode.
+            env_index: Environment that pushed.
         """
-        self._reward += reward
-        self._num_pushes += 1
+        self._rewards[env_index] += reward
+        self._num_pushes[env_index] += 1
         self._terms.append(terms)
         if is_done:
-            self._add_episode(Episode(self._reward, self._num_pushes, is_success))
-            self._reward, self._num_pushes = 0.0, 0
+            total, num_pushes = self._rewards[env_index], self._num_pushes[env_index]
+            self._add_episode(Episode(total, num_pushes, is_success))
+            self._rewards[env_index], self._num_pushes[env_index] = 0.0, 0
 
     def _add_episode(self, episode: Episode) -> None:
         self._recent.append(episode)

@@ -23,13 +23,14 @@ def capture_replay(buffer: ReplayBuffer, observation: str) -> tuple[dict[str, An
     A distance map is a pure function of its mask, so 512 bytes stand for its 16 KiB, exactly.
 
     Args:
-        buffer: Memory of a single environment.
+        buffer: The memory.
         observation: Name of the observation in it.
     """
     size = buffer.size()
     tensors: Tensors = {f"replay.{name}": getattr(buffer, name)[:size] for name in PLAIN_ARRAYS}
     for name in IMAGE_ARRAYS:
-        tensors[f"replay.{name}"] = pack_observations(getattr(buffer, name)[:size, 0], observation)
+        images = getattr(buffer, name)[:size].reshape(-1, *buffer.obs_shape)
+        tensors[f"replay.{name}"] = pack_observations(images, observation)
     return {"position": buffer.pos, "full": buffer.full}, tensors
 
 
@@ -47,7 +48,8 @@ def restore_replay(
     for name in IMAGE_ARRAYS:
         shape = buffer.obs_shape
         packed = tensors[f"replay.{name}"]
-        getattr(buffer, name)[:size, 0] = unpack_observations(packed, shape, observation)
+        images = unpack_observations(packed, shape, observation)
+        getattr(buffer, name)[:size] = images.reshape(size, buffer.n_envs, *shape)
 
 
 def pack_observations(images: FloatMaps, observation: str) -> npt.NDArray[np.uint8]:

@@ -5,11 +5,11 @@ from stable_baselines3.common.base_class import BaseAlgorithm
 from singulate.checkpoints import list_checkpoints, read_checkpoint
 from singulate.exceptions import CheckpointError
 from singulate.runs import RunDirectory, RunReader
-from singulate.training.seeded_episodes import SeededEpisodes
+from singulate.training.envs import TrainingEnvs
 from singulate.training.training_state import restore_training
 
 
-def resume_training(model: BaseAlgorithm, episodes: SeededEpisodes, run: RunDirectory) -> int:
+def resume_training(model: BaseAlgorithm, envs: TrainingEnvs, run: RunDirectory) -> int:
     """Load the newest checkpoint that verifies; nothing of the run is changed.
 
     Returns:
@@ -22,7 +22,7 @@ def resume_training(model: BaseAlgorithm, episodes: SeededEpisodes, run: RunDire
     """
     newest = run.latest_checkpoint()
     if newest is not None:
-        restore_training(model, episodes, read_checkpoint(newest).files)
+        restore_training(model, envs, read_checkpoint(newest).files)
     else:
         _refuse_to_start_over(run)
     return model.num_timesteps

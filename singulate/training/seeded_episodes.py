@@ -1,66 +1,75 @@
 """Training episodes seeded one by one, so that a run can be continued exactly."""
 
-from collections.abc import Mapping
 from typing import Any
 
 import gymnasium as gym
 import numpy as np
 import numpy.typing as npt
 
-from singulate.envs import scene_seed
+from singulate.envs import PushEnv, scene_seed
 from singulate.training.environment import TrainingEnv
+from singulate.training.episode_state import EpisodeState
+
+Observation = npt.NDArray[np.float32]
 
 
 class SeededEpisodes(gym.Wrapper[Any, Any, Any, Any]):
-    """Gives episode number i of a run its own seed, whatever seed `reset` is asked for.
-
-    The state of the environment is then the episode's number and the actions taken in it: pushes
-    are pure functions, so replaying them restores it bit for bit.
+    """Gives every episode of a run its own seed, whatever seed `reset` is asked for.
 
     Args:
         env: The environment.
         run_seed: Seed of the run.
+        state: Where to begin; by default as the only environment of a new run.
+
+    Attributes:
+        state: Where the environment is, for `restore`.
     """
 
-    def __init__(self, env: TrainingEnv, run_seed: int) -> None:
+    def __init__(self, env: TrainingEnv, run_seed: int, state: EpisodeState | None = None) -> None:
         super().__init__(env)
         self.push_env = env
         self.run_seed = run_seed
-        self.episode_index = -1
-        self._actions: list[Any] = []
+        self.state = state or EpisodeState.initial()
+        self._loss = ""
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
-    ) -> tuple[npt.NDArray[np.float32], dict[str, Any]]:
+    ) -> tuple[Observation, dict[str, Any]]:
         """Begin the next episode."""
-        return self._begin(self.episode_index + 1)
+        self.state = self.state.after_reset()
+        return self._begin()
 
     def step(self, action: Any) -> tuple[Any, Any, bool, bool, dict[str, Any]]:
         """Step, and remember the action."""
-        self._actions.append(np.asarray(action).tolist())
-        observation, reward, terminated, truncated, info = self.env.step(action)
-        info["episode_index"] = self.episode_index
-        return observation, reward, terminated, truncated, info
+        self.push_env.num_pushes = self.state.num_pushes
+        self.state = self.state.after_push(action)
+        loss, self._loss = self._loss, ""
+        result = self._lose(action, loss) if loss else self.env.step(action)
+        result[-1]["episode_index"] = self.state.episode_index
+        return result
 
-    @property
-    def state(self) -> dict[str, Any]:
-        """What `restore` needs, as plain values."""
-        return {
-            "episode_index": self.episode_index,
-            "actions": list(self._actions),
-            "num_pushes": self.push_env.num_pushes,
-        }
+    def lose_next_push(self, reason: str) -> None:
+        """Let the next step truncate the episode without pushing.
 
-    def restore(self, state: Mapping[str, Any]) -> npt.NDArray[np.float32]:
+        Args:
+            reason: What made the push impossible, one line.
+        """
+        self._loss = reason
+
+    def restore(self, state: EpisodeState) -> Observation:
         """Return to a state and give its observation, float32 (H, W)."""
-        observation, _ = self._begin(int(state["episode_index"]))
+        self.state = EpisodeState(state.num_envs, state.episode_index, state.num_pushes)
+        observation, _ = self._begin()
         dtype = self.push_env.action_space.dtype
-        for action in state["actions"]:
+        for action in state.actions:
             observation = self.step(np.asarray(action, dtype=dtype))[0]
-        self.push_env.num_pushes = int(state["num_pushes"])
+        self.state = state
         return observation
 
-    def _begin(self, episode_index: int) -> tuple[npt.NDArray[np.float32], dict[str, Any]]:
-        self.episode_index = episode_index
-        self._actions = []
-        return self.env.reset(seed=scene_seed("training", self.run_seed, episode_index))
+    def _lose(self, action: Any, reason: str) -> tuple[Any, Any, bool, bool, dict[str, Any]]:
+        assert isinstance(self.push_env, PushEnv)  # only workers are lost, and they simulate
+        return self.push_env.lose(action, reason)
+
+    def _begin(self) -> tuple[Observation, dict[str, Any]]:
+        index = self.state.episode_index
+        return self.env.reset(seed=scene_seed("training", self.run_seed, index))

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
@@ -14,8 +14,8 @@ from singulate.exceptions import CheckpointError, RunError
 from singulate.runs import Heartbeat, RunDirectory
 from singulate.training.config import TrainingConfig
 from singulate.training.controls import Controls
+from singulate.training.envs import TrainingEnvs
 from singulate.training.metrics import EpisodeMetrics, model_metrics
-from singulate.training.seeded_episodes import SeededEpisodes
 from singulate.training.speed import SpeedMeter
 from singulate.training.telemetry import Telemetry
 from singulate.training.training_state import capture_training
@@ -73,7 +73,7 @@ class TrainingSession:
         config: The run's settings.
         run_dir: The run's directory, locked by this process.
         model: The model in training.
-        episodes: Its environment.
+        envs: Its environments.
         links: Where its results go and its orders come from.
     """
 
@@ -82,17 +82,17 @@ class TrainingSession:
         config: TrainingConfig,
         run_dir: Path,
         model: BaseAlgorithm,
-        episodes: SeededEpisodes,
+        envs: TrainingEnvs,
         links: Links,
     ) -> None:
         self.config = config
         self.run = RunDirectory(run_dir)
         self.model = model
-        self.episodes = episodes
+        self.envs = envs
         self.telemetry = links.telemetry
         self.heartbeat = links.heartbeat
         self.controls = links.controls
-        self.metrics = EpisodeMetrics()
+        self.metrics = EpisodeMetrics(config.num_envs)
         self._on_progress = links.on_progress
         self._speed = SpeedMeter()
         self._checkpoint_step = -1
@@ -110,18 +110,23 @@ class TrainingSession:
             self.metrics.mean_reward,
         )
 
-    def after_push(self, info: Mapping[str, Any], predicted: float | None, is_done: bool) -> None:
+    def after_push(
+        self, env_index: int, info: Mapping[str, Any], predicted: float | None, is_done: bool
+    ) -> None:
         """Record a push and, now and then, metrics.
 
         Args:
+            env_index: Environment that pushed; all push together, and are told of in turns.
             info: What the environment said about it.
             predicted: Reward that the agent expected.
             is_done: Whether it ended its episode.
         """
-        step = self.model.num_timesteps
+        step = self.model.num_timesteps - self.config.num_envs + 1 + env_index
         with self._recording():
             self.telemetry.add_push(step, info, predicted)
-        self.metrics.add_push(info["reward"], info["reward_terms"], info["is_success"], is_done)
+        self.metrics.add_push(
+            info["reward"], info["reward_terms"], info["is_success"], is_done, env_index
+        )
         self._speed.add(step)
         progress = self.progress
         self.heartbeat.update(
@@ -134,6 +139,12 @@ class TrainingSession:
                 self.telemetry.add_metrics(step, values)
         if self._on_progress is not None:
             self._on_progress(progress)
+
+    def note_losses(self) -> None:
+        """Record workers that were lost and replaced, and show the last one."""
+        for loss in self.envs.take_losses():
+            self.record_event("worker_replaced", step=self.model.num_timesteps, **asdict(loss))
+            self.heartbeat.update(notice=f"{loss.reason}, it was replaced")
 
     def between_pushes(self) -> None:
         """Wait while paused, in the middle of a rollout, where no checkpoint can be saved."""
@@ -176,7 +187,7 @@ class TrainingSession:
             notes={"seed": self.config.seed},
         )
         network = self.config.kind.network_of(self.model)
-        files = capture_training(self.model, self.episodes)
+        files = capture_training(self.model, self.envs)
         save_checkpoint(directory, tensors_of(network), manifest, files)
         prune(self.run.checkpoints_path, self.config.num_checkpoints)
         self._checkpoint_step = step

@@ -13,10 +13,9 @@ from singulate.runs import Heartbeat, RunDirectory, RunLock, RunStatus
 from singulate.training.callback import SessionCallback
 from singulate.training.config import TrainingConfig
 from singulate.training.controls import Controls, stop_on_signals
-from singulate.training.environment import make_training_env
+from singulate.training.envs import make_training_envs
 from singulate.training.model import build_training_model
 from singulate.training.resuming import resume_training
-from singulate.training.seeded_episodes import SeededEpisodes
 from singulate.training.session import Links, Progress, TrainingSession, TrainingStopped
 from singulate.training.telemetry import Telemetry
 
@@ -48,7 +47,8 @@ def train(
 ) -> TrainingResult:
     """Train until the steps are done or somebody asks to stop.
 
-    PPO stops at the end of a rollout, so it may go up to `n_steps` - 1 pushes beyond the total.
+    PPO stops at the end of a rollout, so it may go up to `n_steps` - 1 pushes beyond the total; a
+    DQN up to `num_envs` - 1.
 
     Args:
         config: The run's settings.
@@ -60,6 +60,7 @@ def train(
         RunError: If the directory holds a run already (or none, on `resume`), is being written by
             another process, or is not writable; also if the last rows could not be recorded, after
             the last checkpoint was saved.
+        WorkerError: If an environment in a worker failed, or workers cannot be kept alive.
         CheckpointError: If none of the run's checkpoints is intact, or it does not fit; the record
             and the settings are then as before.
     """
@@ -77,17 +78,16 @@ def train(
         heartbeat = stack.enter_context(Heartbeat(run_dir, status))
         controls = stack.enter_context(Controls(run_dir, heartbeat))
         stack.enter_context(stop_on_signals(controls))
-        env = make_training_env(config)
-        stack.callback(env.close)
-        episodes = SeededEpisodes(env, config.seed)
-        model = build_training_model(config, episodes)
-        resumed_step = resume_training(model, episodes, run) if resume else None
+        envs = make_training_envs(config)
+        stack.callback(envs.close)
+        model = build_training_model(config, envs)
+        resumed_step = resume_training(model, envs, run) if resume else None
         if resume:
             text = json.dumps(config.to_dict(), indent=2) + "\n"
             replace_file(run.config_path, text.encode())
         telemetry = stack.enter_context(Telemetry(run_dir, resumed_step))
         links = Links(telemetry, heartbeat, controls, on_progress)
-        session = TrainingSession(config, run_dir, model, episodes, links)
+        session = TrainingSession(config, run_dir, model, envs, links)
         if resumed_step:
             session.mark_checkpoint()
         return _learn(session)

@@ -17,6 +17,8 @@ from stable_baselines3.common.buffers import ReplayBuffer
 from singulate.agents.loading import load_tensors, tensors_of
 from singulate.checkpoints import decode_tensors, encode_tensors
 from singulate.exceptions import CheckpointError
+from singulate.training.envs import TrainingEnvs
+from singulate.training.episode_state import EpisodeState
 from singulate.training.random_states import (
     capture_generators,
     capture_global_generators,
@@ -24,7 +26,6 @@ from singulate.training.random_states import (
     restore_global_generators,
 )
 from singulate.training.replay_state import capture_replay, restore_replay
-from singulate.training.seeded_episodes import SeededEpisodes
 
 STATE_FILE = "training_state.json"
 TENSORS_FILE = "training_state.safetensors"
@@ -33,12 +34,12 @@ COUNTERS = ("num_timesteps", "_n_updates", "_episode_num", "_n_calls", "explorat
 Tensors = dict[str, npt.NDArray[np.generic]]
 
 
-def capture_training(model: BaseAlgorithm, episodes: SeededEpisodes) -> dict[str, bytes]:
+def capture_training(model: BaseAlgorithm, envs: TrainingEnvs) -> dict[str, bytes]:
     """The state of a training between two rollouts, as files for a checkpoint.
 
     Args:
-        model: The model; its environment is `episodes`, wrapped.
-        episodes: The environment.
+        model: The model.
+        envs: Its environments.
 
     Raises:
         CheckpointError: If the training has diverged to values that are not finite.
@@ -46,7 +47,7 @@ def capture_training(model: BaseAlgorithm, episodes: SeededEpisodes) -> dict[str
     values: dict[str, Any] = {
         "counters": {name: getattr(model, name) for name in COUNTERS if hasattr(model, name)},
         "episode_starts": np.asarray(model._last_episode_starts).tolist(),
-        "episodes": episodes.state,
+        "episodes": [state.to_dict() for state in envs.states],
         "generators": capture_generators(_generators(model)),
     }
     tensors: Tensors = {f"policy.{k}": array for k, array in tensors_of(model.policy).items()}
@@ -55,15 +56,13 @@ def capture_training(model: BaseAlgorithm, episodes: SeededEpisodes) -> dict[str
     tensors.update(random_tensors)
     buffer = _replay_buffer(model)
     if buffer is not None:
-        values["replay"], replay = capture_replay(buffer, episodes.push_env.config.observation)
+        values["replay"], replay = capture_replay(buffer, envs.config.env.observation)
         tensors.update(replay)
     return {STATE_FILE: json.dumps(values).encode(), TENSORS_FILE: encode_tensors(tensors)}
 
 
-def restore_training(
-    model: BaseAlgorithm, episodes: SeededEpisodes, files: Mapping[str, bytes]
-) -> None:
-    """The inverse of `capture_training`, into a freshly built model and environment.
+def restore_training(model: BaseAlgorithm, envs: TrainingEnvs, files: Mapping[str, bytes]) -> None:
+    """The inverse of `capture_training`, into a freshly built model and its environments.
 
     Raises:
         CheckpointError: If the checkpoint holds no training state or it does not fit.
@@ -79,9 +78,11 @@ def restore_training(
         _restore_optimizer(model.policy.optimizer, tensors)
         buffer = _replay_buffer(model)
         if buffer is not None:
-            observation = episodes.push_env.config.observation
-            restore_replay(buffer, observation, values["replay"], tensors)
-        model._last_obs = episodes.restore(values["episodes"])[None]
+            restore_replay(buffer, envs.config.env.observation, values["replay"], tensors)
+        states = [EpisodeState.from_dict(state) for state in values["episodes"]]
+        if len(states) != envs.num_envs:
+            raise ValueError(f"it has {len(states)} environments, not {envs.num_envs}")
+        model._last_obs = envs.restore(states)
         model._last_episode_starts = np.array(values["episode_starts"], dtype=np.bool_)
         for name in COUNTERS:
             if hasattr(model, name):

@@ -13,7 +13,11 @@ def make_config() -> Any:
     def make(agent: str, total_timesteps: int, **changes: Any) -> TrainingConfig:
         if agent == "dqn":
             env = EnvConfig("cluster-3", action="grid")
-            settings = {"learning_starts": 10, "batch_size": 8, "exploration_steps": 60}
+            settings = {
+                "learning_starts": changes.pop("learning_starts", 10),
+                "batch_size": 8,
+                "exploration_steps": 60,
+            }
         else:
             env = EnvConfig("fixed-2", action="point")
             settings = {"n_steps": 16, "batch_size": 4}

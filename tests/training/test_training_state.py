@@ -5,29 +5,27 @@ from typing import Any
 import pytest
 from stable_baselines3.common.base_class import BaseAlgorithm
 
-from singulate.envs import PushEnv
 from singulate.exceptions import CheckpointError
+from singulate.training.envs import TrainingEnvs, make_training_envs
 from singulate.training.model import build_training_model
-from singulate.training.seeded_episodes import SeededEpisodes
 from singulate.training.training_state import STATE_FILE, capture_training, restore_training
 
-Training = tuple[BaseAlgorithm, SeededEpisodes, dict[str, bytes]]
+Training = tuple[BaseAlgorithm, TrainingEnvs, dict[str, bytes]]
 
 
 @pytest.fixture
 def training(make_config: Any) -> Iterator[Training]:
     config = make_config("dqn", 12)
-    env = PushEnv(None, **config.env.to_dict())
-    episodes = SeededEpisodes(env, config.seed)
-    model = build_training_model(config, episodes)
+    envs = make_training_envs(config)
+    model = build_training_model(config, envs)
     model.learn(12)
-    yield model, episodes, capture_training(model, episodes)
-    env.close()
+    yield model, envs, capture_training(model, envs)
+    envs.close()
 
 
 def test_names_that_are_no_counters_are_not_set(training: Training) -> None:
-    model, episodes, files = training
-    restore_training(model, episodes, _with_counters(files, learn=1, gamma=7.0))
+    model, envs, files = training
+    restore_training(model, envs, _with_counters(files, learn=1, gamma=7.0))
     assert callable(model.learn)
     assert model.gamma != 7.0  # type: ignore[attr-defined]
     assert model.num_timesteps == 12
@@ -46,9 +44,9 @@ def test_names_that_are_no_counters_are_not_set(training: Training) -> None:
     ],
 )
 def test_counters_are_numbers(training: Training, name: str, value: object) -> None:
-    model, episodes, files = training
+    model, envs, files = training
     with pytest.raises(CheckpointError, match=f"does not fit: {name} is") as caught:
-        restore_training(model, episodes, _with_counters(files, **{name: value}))
+        restore_training(model, envs, _with_counters(files, **{name: value}))
     assert "\n" not in str(caught.value)
 
 

@@ -11,7 +11,9 @@ from stable_baselines3.common.noise import ActionNoise
 from stable_baselines3.common.vec_env import VecEnv
 
 from singulate.agents.dqn.config import DQNConfig
+from singulate.agents.dqn.overlap import OverlappedSteps
 from singulate.agents.dqn.replay import SymmetricReplayBuffer
+from singulate.agents.dqn.update import gradient_step
 from singulate.agents.network import policy_arguments
 
 
@@ -20,6 +22,10 @@ class GridDQN(DQN):
 
     stable-baselines3 ties exploration to the share of the training that is done, so extending a
     run would change its past, and draws it from NumPy's global generator.
+
+    With several environments an update happens while they push, so between the choice of pushes
+    and their result: a push is chosen by the network of one update before, and the update after
+    the last push of a training is left to whoever continues it.
 
     Attributes:
         predicted_values: Expected (scaled) reward of the pushes chosen last, float32 (num_envs,).
@@ -30,13 +36,32 @@ class GridDQN(DQN):
         self.exploration_steps = exploration_steps
         self.exploration_rate = 1.0
         self.exploration_rng = np.random.default_rng(self.seed)
-        self.predicted_values: npt.NDArray[np.float32] = np.zeros(1, dtype=np.float32)
+        self.predicted_values: npt.NDArray[np.float32] = np.zeros(self.n_envs, np.float32)
 
     @property
     def generators(self) -> dict[str, np.random.Generator]:
         """Every generator of its own that training draws from, by name."""
         assert isinstance(self.replay_buffer, SymmetricReplayBuffer)
         return {"exploration": self.exploration_rng, "replay": self.replay_buffer.rng}
+
+    def train(self, gradient_steps: int, batch_size: int = 100) -> None:
+        """Update the network, or leave it to `update_meanwhile`."""
+        if self.n_envs == 1:
+            self.update(gradient_steps)
+
+    def update_meanwhile(self) -> None:
+        """Make the update that is due after the last pushes, while the next ones are made."""
+        if self.num_timesteps > self.learning_starts:
+            self.update(self.gradient_steps)
+
+    def update(self, gradient_steps: int) -> None:
+        """Improve the network by so many gradient steps; `DQN.train`, but faster."""
+        self.policy.set_training_mode(True)
+        self._update_learning_rate(self.policy.optimizer)
+        losses = [gradient_step(self) for _ in range(gradient_steps)]
+        self._n_updates += gradient_steps
+        self.logger.record("train/n_updates", self._n_updates, exclude="tensorboard")
+        self.logger.record("train/loss", np.mean(losses))
 
     def _on_step(self) -> None:
         super()._on_step()
@@ -64,20 +89,21 @@ def build_model(config: DQNConfig, env: VecEnv, observation: str, seed: int) -> 
 
     Args:
         config: Its settings.
-        env: A single environment with ``grid`` actions.
+        env: Environments with ``grid`` actions.
         observation: Name of its observation.
         seed: Seeds the network and all random choices.
     """
-    return GridDQN(
+    steps = OverlappedSteps(env) if env.num_envs > 1 else env
+    model = GridDQN(
         "MlpPolicy",
-        env,
+        steps,
         learning_rate=config.learning_rate,
         buffer_size=config.buffer_size,
         learning_starts=config.learning_starts,
         batch_size=config.batch_size,
         gamma=config.gamma,
         train_freq=1,
-        gradient_steps=config.gradient_steps,
+        gradient_steps=config.gradient_steps * env.num_envs,
         replay_buffer_class=SymmetricReplayBuffer,
         replay_buffer_kwargs={"seed": seed, "symmetries": config.symmetries},
         target_update_interval=config.target_update_interval,
@@ -87,6 +113,9 @@ def build_model(config: DQNConfig, env: VecEnv, observation: str, seed: int) -> 
         seed=seed,
         device="cpu",
     )
+    if isinstance(steps, OverlappedSteps):
+        steps.meanwhile = model.update_meanwhile
+    return model
 
 
 def network_arguments(config: DQNConfig, observation: str) -> dict[str, object]:

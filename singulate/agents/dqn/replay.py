@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
+import torch
 from gymnasium import spaces
 from stable_baselines3.common.buffers import ReplayBuffer
 from stable_baselines3.common.type_aliases import ReplayBufferSamples
@@ -14,7 +15,7 @@ from singulate.agents.dqn.symmetry import NUM_SYMMETRIES, action_table, transfor
 
 
 class SymmetricReplayBuffer(ReplayBuffer):
-    """Uniform replay of a single environment's pushes.
+    """Uniform replay of pushes.
 
     Args:
         seed: Seed of the memory's own generator.
@@ -31,22 +32,23 @@ class SymmetricReplayBuffer(ReplayBuffer):
     def sample(self, batch_size: int, env: VecNormalize | None = None) -> ReplayBufferSamples:
         """Draw pushes with replacement; observations are (batch, H, W)."""
         size = self.buffer_size if self.full else self.pos
-        rows = self.rng.integers(0, size, size=batch_size)
-        observations = self.observations[rows, 0]
-        actions = self.actions[rows, 0]
-        dones = self.dones[rows] * (1.0 - self.timeouts[rows])
+        drawn = self.rng.integers(0, size * self.n_envs, size=batch_size)
+        chosen = np.divmod(drawn, self.n_envs)
+        observations = self.observations[chosen]
+        actions = self.actions[chosen]
+        dones = (self.dones[chosen] * (1.0 - self.timeouts[chosen]))[:, None]
         # What follows the last push of an episode has no effect, so any image will do.
-        next_observations = observations if dones.all() else self.next_observations[rows, 0]
+        next_observations = observations if dones.all() else self.next_observations[chosen]
         if self.symmetries:
-            chosen = self.rng.integers(0, NUM_SYMMETRIES, size=batch_size)
+            symmetries = self.rng.integers(0, NUM_SYMMETRIES, size=batch_size)
             is_same = next_observations is observations
-            observations = _transform_each(observations, chosen)
+            observations = _transform_each(observations, symmetries)
             next_observations = (
-                observations if is_same else _transform_each(next_observations, chosen)
+                observations if is_same else _transform_each(next_observations, symmetries)
             )
-            actions = self._action_table[chosen[:, None], actions]
-        arrays = (observations, actions, next_observations, dones, self.rewards[rows])
-        return ReplayBufferSamples(*map(self.to_torch, arrays))
+            actions = self._action_table[symmetries[:, None], actions]
+        arrays = (observations, actions, next_observations, dones, self.rewards[chosen][:, None])
+        return ReplayBufferSamples(*map(torch.from_numpy, arrays))
 
 
 def _transform_each(

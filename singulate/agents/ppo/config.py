@@ -13,7 +13,7 @@ class PPOConfig:
 
     Attributes:
         learning_rate: Step size of Adam (Table 1).
-        n_steps: Pushes between updates, "batch size" in Table 1.
+        n_steps: Pushes between updates, of all environments together; "batch size" in Table 1.
         n_epochs: Passes over them (Table 1).
         batch_size: Pushes a mini-batch (Table 1).
         net_arch: Widths of the fully connected layers, ReLU after each (section 3.3); policy and

@@ -13,7 +13,7 @@ def build_model(config: PPOConfig, env: VecEnv, observation: str, seed: int) -> 
 
     Args:
         config: Its settings.
-        env: A single environment with ``point`` or ``start_end`` actions.
+        env: Environments with ``point`` or ``start_end`` actions.
         observation: Name of its observation.
         seed: Seeds the network and all random choices.
     """
@@ -21,7 +21,7 @@ def build_model(config: PPOConfig, env: VecEnv, observation: str, seed: int) -> 
         "MlpPolicy",
         env,
         learning_rate=config.learning_rate,
-        n_steps=config.n_steps,
+        n_steps=config.n_steps // env.num_envs,
         batch_size=config.batch_size,
         n_epochs=config.n_epochs,
         gamma=config.gamma,
