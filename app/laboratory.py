@@ -10,6 +10,7 @@ from pathlib import Path
 
 from app.commands import (
     AgentPush,
+    ArrangeBlocks,
     Command,
     DismissNotice,
     LoadPolicy,
@@ -118,8 +119,11 @@ class Laboratory:
         rest = self._scene.rest
         self._pushing.note_answers(self._policy.update(rest, self._wanted))
         self._watch()
-        is_calm = not self._scene.is_pushing
-        self._reward_maps.update(rest, is_wanted=is_calm and "reward_map" in self._wanted)
+        self._reward_maps.update(
+            rest,
+            is_wanted="reward_map" in self._wanted and not self._scene.is_pushing,
+            is_dragged=self._scene.is_held,
+        )
         self._training.update()
         self._follow_run()
         return Snapshot(
@@ -179,7 +183,7 @@ class Laboratory:
                 self._scene.send(command)
             case SetScenePaused(is_paused):
                 self._scene.send(SetScenePaused(bool(is_paused)))
-            case Undo() | StepScene():
+            case _ if isinstance(command, Undo | StepScene | ArrangeBlocks):
                 self._scene.send(command)
             case SetSpeed(factor):
                 self._set_speed(factor)
@@ -221,7 +225,8 @@ class Laboratory:
 
     def _watch(self) -> None:
         live, rest = self._scene.live, self._scene.rest
-        if live is None or rest is None or self._scene.is_pushing or live.is_paused:
+        is_busy = self._scene.is_pushing or self._scene.is_held
+        if live is None or rest is None or is_busy or live.is_paused:
             return
         match self._watching.next_move(rest, live.speed, time.monotonic()):
             case NextMove.PUSH:

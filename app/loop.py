@@ -49,7 +49,7 @@ class Dashboard:
         self._num_visitors = 0
         set_initial_camera(server, self._workspace)
         add_lights(server.scene)
-        self._blocks = BlocksView(server.scene, self._workspace)
+        self._blocks = BlocksView(server.scene, self._workspace, self._drag_block)
         self._pusher = PusherView(server.scene)
         server.on_client_connect(self._arrive)
         server.on_client_disconnect(self._leave)
@@ -87,6 +87,11 @@ class Dashboard:
         except Exception:
             self._sessions.pop(client_id, None)
             _report_failure(session.client, session.name)
+
+    def _drag_block(self, index: int, event: viser.SceneNodeDragEvent[viser.BoxHandle]) -> None:
+        session = self._sessions.get(event.client_id)
+        if session is not None:
+            session.drag_block(index, event)
 
     def _arrive(self, client: viser.ClientHandle) -> None:
         self._arrivals.put(client)

@@ -136,6 +136,10 @@ class ClientPage:
         """Choose the direction of the next clicked push."""
         self.preferences.direction = direction
 
+    def choose_block(self, index: int) -> None:
+        """Let the buttons for blocks take this one."""
+        self._interact.blocks.chosen = index
+
     @property
     def is_dark(self) -> bool:
         """Whether this client chose the dark theme."""

@@ -157,8 +157,8 @@ def test_two_browsers_see_one_table(page: Any, open_page: Callable[[], Any]) -> 
     page.press("n")
     for window in (page, other):
         window.wait(lambda window=window: window.is_pushing)
-    other.wait(lambda: other.is_visible("/pusher_name"))
-    assert not page.is_visible("/pusher_name")
+    other.wait(lambda: other.is_visible("/actor_name"))
+    assert not page.is_visible("/actor_name")
     assert page.position("/pusher") == pytest.approx(other.position("/pusher"), abs=1e-6)
     other.press("Space")
     for window in (page, other):
