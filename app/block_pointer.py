@@ -85,6 +85,7 @@ class BlockPointer:
         """
         if event.phase == "start":
             self._grab(index, pose, event)
+            return
         grip = self._grip
         if grip is None:
             return

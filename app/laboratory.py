@@ -45,7 +45,7 @@ class Laboratory:
     """Scene, policy, reward maps and training, each in a process of its own.
 
     Make it, tick it and close it in the same long-lived thread: the processes die with that
-    thread. `submit`, `wait` and `set_wanted_fields` may be called from any thread.
+    thread. `submit`, `wake`, `wait` and `set_wanted_fields` may be called from any thread.
 
     Args:
         scenario: Recipe of the first scene.
@@ -98,12 +98,16 @@ class Laboratory:
             return
         self._news.set()
 
+    def wake(self) -> None:
+        """End a `wait`: something has happened outside the laboratory."""
+        self._news.set()
+
     def set_wanted_fields(self, fields: Set[str]) -> None:
         """Compute these fields (`FIELDS`) and no others from now on."""
         self._wanted = frozenset(fields) & FIELDS
 
     def wait(self, timeout_s: float) -> bool:
-        """Wait for a command or a message of a process.
+        """Wait for a command, a message of a process, or `wake`.
 
         Returns:
             Whether there was one; the next `tick` takes it in.

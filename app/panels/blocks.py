@@ -23,13 +23,14 @@ class BlocksPanel:
         self._scene: SceneSnapshot | None = None
         self.chosen: int | None = None
         self.buttons = context.gui.add_button_group("Blocks", ("Add", "Turn", "Remove"), hint=HINT)
-        on_pick(self.buttons, self._press)
+        on_pick(self.buttons, self.press)
 
     def update(self, scene: SceneSnapshot | None) -> None:
         """Know the table."""
         self._scene = scene
 
-    def _press(self, button: int) -> None:
+    def press(self, button: int) -> None:
+        """Carry out button 0 (add), 1 (turn) or 2 (remove)."""
         if button == 0:
             self._context.submit(AddBlock())
             return

@@ -17,6 +17,8 @@ from singulate.simulation.footprint import block_footprint
 MAX_BLOCKS = 10
 ADDED_SIDE = 0.2
 """Side of an added block, as in the scenario ``fixed`` [m]."""
+_STILL = 1e-6
+"""A shorter way is none [m]."""
 _ROOM = 0.12
 """Gap around an added block: enough to count as singulated [m]."""
 
@@ -114,11 +116,11 @@ class Hands:
         x, y = place or (start.x, start.y)
         # A cube looks the same after a quarter turn, so it never turns further than half of that.
         turn = 0.0 if yaw is None else math.remainder(yaw - start.yaw, math.pi / 2)
+        if math.hypot(x - start.x, y - start.y) < _STILL and turn == 0.0:
+            return None
         wanted = Block(x, y, start.side, start.yaw + turn)
         others = _footprints(pose for i, pose in enumerate(poses) if i != index)
         pose = standing_pose(nearest_free(wanted, start, others, self._workspace))
-        if pose == poses[index]:
-            return None
         return (*poses[:index], pose, *poses[index + 1 :])
 
     def _added(self, poses: Poses) -> BlockPose:
