@@ -26,7 +26,6 @@ SECURITY_HEADERS = (
 )
 
 Handler = Callable[[Any], Awaitable[None]]
-OnMessage = Callable[[], None]
 
 
 def bind(host: str, port: int) -> socket.socket:

@@ -8,7 +8,7 @@ import pytest
 
 pytestmark = pytest.mark.browser
 
-OF_THIS_TABLE = re.compile(r"(\d+) × \d+( · \d+ % done)?\n")
+OF_THIS_TABLE = re.compile("(\\d+) \N{MULTIPLICATION SIGN} \\d+( \N{MIDDLE DOT} \\d+ % done)?\n")
 """The legend of a true reward that is not of an earlier table."""
 
 
