@@ -53,7 +53,7 @@ class Laboratory:
         runs_dir: Where runs are made and found.
         checkpoints_dir: Where policies that can be loaded are found.
         run_dir: Run to watch from the start; the newest one that is alive otherwise.
-        num_workers: Processes for reward maps; by default one a core, less one.
+        num_workers: Processes for the finer reward maps; they stand back, so by default one a core.
 
     Raises:
         InvalidValueError: If there is no such scenario, or the seed is out of range.
@@ -78,7 +78,7 @@ class Laboratory:
         self._view = SceneView()
         self._watching = Watching()
         checkpoints = checkpoints_dir or shipped_checkpoints_directory()
-        workers = num_workers or max(1, (os.cpu_count() or 1) - 1)
+        workers = num_workers or os.cpu_count() or 1
         # First what may refuse its arguments, so that no process is left behind.
         self._training = TrainingLink(
             runs_dir or default_runs_directory(), checkpoints, run_dir, self._notices

@@ -15,7 +15,7 @@ from app.processes.supervised import SupervisedProcess
 from app.snapshot import RewardMapSnapshot
 from singulate.geometry import Poses
 
-_NICENESS = 12
+_NICENESS = 1
 _MAX_REMEMBERED = 32
 
 
