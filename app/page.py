@@ -174,9 +174,8 @@ class ClientPage:
         self._draped = None
 
     def _update_draped(self, snapshot: Snapshot, now: float) -> None:
-        scene, truth, policy, run = (
-            snapshot.scene, snapshot.reward_map, snapshot.policy, snapshot.run,
-        )  # fmt: skip
+        scene, truth, policy = snapshot.scene, snapshot.reward_map, snapshot.policy
+        run = snapshot.run if FIELDS_BY_KEY[self.preferences.field].follows_run else None
         choices = replace(self.preferences, inspected=None)
         self._is_drape_old |= self._drape_watch.has_changed(
             choices, scene and scene.distance_map, scene and scene.rgb, truth and truth.values,

@@ -40,6 +40,7 @@ def open_socket(url: str) -> Iterator["DashboardSocket"]:
         origin=Origin(f"http://{authority}"),
         subprotocols=[Subprotocol(f"viser-v{version('viser')}")],
         max_size=None,
+        max_queue=None,  # also a page that nobody reads stays connected
     ) as connection:
         connection.send(msgspec.msgpack.encode(_CAMERA))
         while not any(
