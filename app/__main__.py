@@ -48,7 +48,7 @@ def serve(options: Options) -> None:
     # A browser that leaves while its page is drawn is no news.
     warnings.filterwarnings("ignore", message="Queued a .* on a closed connection")
     try:
-        server = open_server(listener, policy)
+        server = open_server(listener, policy, on_handled=laboratory.wake)
         dashboard = Dashboard(server, laboratory)
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, lambda *_: stop.set())

@@ -39,6 +39,67 @@ class Undo:
 
 
 @dataclass(frozen=True)
+class HoldBlock:
+    """Take hold of a block; ignored while a push is under way.
+
+    Attributes:
+        drag: Number of the drag; all moves of one drag are undone together.
+        index: Which block.
+        by: Who takes hold of it.
+    """
+
+    drag: int
+    index: int
+    by: str = "you"
+
+
+@dataclass(frozen=True)
+class MoveBlock:
+    """Bring the block that a drag holds as near to a place as the other blocks allow.
+
+    Attributes:
+        drag: Number of the drag; ignored where it holds nothing, or no longer.
+        place: Of the block's centre (x, y) [m]; None leaves it where it is.
+        yaw: Its turn about the vertical [rad]; None leaves it as it is.
+    """
+
+    drag: int
+    place: tuple[float, float] | None = None
+    yaw: float | None = None
+
+
+@dataclass(frozen=True)
+class ReleaseBlock:
+    """Let go of the block that a drag holds."""
+
+    drag: int
+
+
+@dataclass(frozen=True)
+class TurnBlock:
+    """Turn a block by an angle [rad], counter-clockwise."""
+
+    index: int
+    angle: float
+
+
+@dataclass(frozen=True)
+class AddBlock:
+    """Put another block on a free place."""
+
+
+@dataclass(frozen=True)
+class RemoveBlock:
+    """Take a block off the table."""
+
+    index: int
+
+
+ArrangeBlocks = HoldBlock | MoveBlock | ReleaseBlock | TurnBlock | AddBlock | RemoveBlock
+"""What changes the blocks by hand; ignored while a push is under way."""
+
+
+@dataclass(frozen=True)
 class SetScenePaused:
     """Freeze or release the motion of the scene."""
 
@@ -115,6 +176,7 @@ Command = (
     | AgentPush
     | SetWatching
     | Undo
+    | ArrangeBlocks
     | SetScenePaused
     | StepScene
     | SetSpeed

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from app.commands import (
     AgentPush,
+    ArrangeBlocks,
     Command,
     DismissNotice,
     LoadPolicy,
@@ -44,7 +45,7 @@ class Laboratory:
     """Scene, policy, reward maps and training, each in a process of its own.
 
     Make it, tick it and close it in the same long-lived thread: the processes die with that
-    thread. `submit`, `wait` and `set_wanted_fields` may be called from any thread.
+    thread. `submit`, `wake`, `wait` and `set_wanted_fields` may be called from any thread.
 
     Args:
         scenario: Recipe of the first scene.
@@ -52,7 +53,7 @@ class Laboratory:
         runs_dir: Where runs are made and found.
         checkpoints_dir: Where policies that can be loaded are found.
         run_dir: Run to watch from the start; the newest one that is alive otherwise.
-        num_workers: Processes for reward maps; by default one a core, less one.
+        num_workers: Processes for the finer reward maps; they stand back, so by default one a core.
 
     Raises:
         InvalidValueError: If there is no such scenario, or the seed is out of range.
@@ -77,7 +78,7 @@ class Laboratory:
         self._view = SceneView()
         self._watching = Watching()
         checkpoints = checkpoints_dir or shipped_checkpoints_directory()
-        workers = num_workers or max(1, (os.cpu_count() or 1) - 1)
+        workers = num_workers or os.cpu_count() or 1
         # First what may refuse its arguments, so that no process is left behind.
         self._training = TrainingLink(
             runs_dir or default_runs_directory(), checkpoints, run_dir, self._notices
@@ -97,12 +98,16 @@ class Laboratory:
             return
         self._news.set()
 
+    def wake(self) -> None:
+        """End a `wait`: something has happened outside the laboratory."""
+        self._news.set()
+
     def set_wanted_fields(self, fields: Set[str]) -> None:
         """Compute these fields (`FIELDS`) and no others from now on."""
         self._wanted = frozenset(fields) & FIELDS
 
     def wait(self, timeout_s: float) -> bool:
-        """Wait for a command or a message of a process.
+        """Wait for a command, a message of a process, or `wake`.
 
         Returns:
             Whether there was one; the next `tick` takes it in.
@@ -118,8 +123,11 @@ class Laboratory:
         rest = self._scene.rest
         self._pushing.note_answers(self._policy.update(rest, self._wanted))
         self._watch()
-        is_calm = not self._scene.is_pushing
-        self._reward_maps.update(rest, is_wanted=is_calm and "reward_map" in self._wanted)
+        self._reward_maps.update(
+            rest,
+            is_wanted="reward_map" in self._wanted and not self._scene.is_pushing,
+            is_dragged=self._scene.is_held,
+        )
         self._training.update()
         self._follow_run()
         return Snapshot(
@@ -179,7 +187,7 @@ class Laboratory:
                 self._scene.send(command)
             case SetScenePaused(is_paused):
                 self._scene.send(SetScenePaused(bool(is_paused)))
-            case Undo() | StepScene():
+            case _ if isinstance(command, Undo | StepScene | ArrangeBlocks):
                 self._scene.send(command)
             case SetSpeed(factor):
                 self._set_speed(factor)
@@ -221,7 +229,8 @@ class Laboratory:
 
     def _watch(self) -> None:
         live, rest = self._scene.live, self._scene.rest
-        if live is None or rest is None or self._scene.is_pushing or live.is_paused:
+        is_busy = self._scene.is_pushing or self._scene.is_held
+        if live is None or rest is None or is_busy or live.is_paused:
             return
         match self._watching.next_move(rest, live.speed, time.monotonic()):
             case NextMove.PUSH:

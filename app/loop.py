@@ -16,8 +16,11 @@ from app.views.light import add_lights
 from app.views.pusher import PusherView
 from singulate.geometry import Workspace
 
-LONGEST_PERIOD_S = 1.0 / 30.0
 SHORTEST_PERIOD_S = 1.0 / 60.0
+USUAL_PERIOD_S = 1.0 / 30.0
+CALM_PERIOD_S = 0.25
+CALM_AFTER_S = 1.0
+"""Without news for this long [s], there is nothing left to draw but what changes with the clock."""
 
 _log = logging.getLogger(__name__)
 
@@ -49,17 +52,24 @@ class Dashboard:
         self._num_visitors = 0
         set_initial_camera(server, self._workspace)
         add_lights(server.scene)
-        self._blocks = BlocksView(server.scene, self._workspace)
+        self._blocks = BlocksView(server.scene, self._workspace, self._drag_block)
         self._pusher = PusherView(server.scene)
         server.on_client_connect(self._arrive)
         server.on_client_disconnect(self._leave)
 
     def run(self, stop: threading.Event) -> None:
-        """Work until `stop` is set, 30 times a second, and up to 60 while there is news."""
+        """Work until `stop` is set.
+
+        Up to 60 times a second while there is news, 30 times shortly after, and 4 times on a calm
+        page, of which there may be many, and which must not slow down a training.
+        """
+        last_news = time.monotonic()
         while not stop.is_set():
             begin = time.monotonic()
             self.step()
-            self._laboratory.wait(LONGEST_PERIOD_S)
+            is_calm = begin - last_news > CALM_AFTER_S
+            if self._laboratory.wait(CALM_PERIOD_S if is_calm else USUAL_PERIOD_S):
+                last_news = time.monotonic()
             stop.wait(max(0.0, SHORTEST_PERIOD_S - (time.monotonic() - begin)))
 
     def step(self) -> None:
@@ -88,11 +98,18 @@ class Dashboard:
             self._sessions.pop(client_id, None)
             _report_failure(session.client, session.name)
 
+    def _drag_block(self, index: int, event: viser.SceneNodeDragEvent[viser.BoxHandle]) -> None:
+        session = self._sessions.get(event.client_id)
+        if session is not None:
+            session.drag_block(index, event)
+
     def _arrive(self, client: viser.ClientHandle) -> None:
         self._arrivals.put(client)
+        self._laboratory.wake()
 
     def _leave(self, client: viser.ClientHandle) -> None:
         self._departures.put(client.client_id)
+        self._laboratory.wake()
 
     def _welcome(self) -> None:
         while not self._arrivals.empty():

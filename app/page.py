@@ -57,6 +57,7 @@ class ClientPage:
         self._draped: DrapedField | None = None
         self._help: GuiModalHandle | None = None
         self._drape_watch, self._drape_throttle = Watch(), Throttle(DRAPE_INTERVAL)
+        self._is_drape_old = True
         self._secondary = SecondaryButtons(client.gui, self.preferences.is_dark)
         self._context = PanelContext(
             client.gui, submit, self.preferences, self._report, self._secondary, name
@@ -136,6 +137,10 @@ class ClientPage:
         """Choose the direction of the next clicked push."""
         self.preferences.direction = direction
 
+    def choose_block(self, index: int) -> None:
+        """Let the buttons for blocks take this one."""
+        self._interact.blocks.chosen = index
+
     @property
     def is_dark(self) -> bool:
         """Whether this client chose the dark theme."""
@@ -169,17 +174,16 @@ class ClientPage:
         self._draped = None
 
     def _update_draped(self, snapshot: Snapshot, now: float) -> None:
-        if not self._drape_throttle.is_due(now):
-            return
-        scene, truth, policy, run = (
-            snapshot.scene, snapshot.reward_map, snapshot.policy, snapshot.run,
-        )  # fmt: skip
+        scene, truth, policy = snapshot.scene, snapshot.reward_map, snapshot.policy
+        run = snapshot.run if FIELDS_BY_KEY[self.preferences.field].follows_run else None
         choices = replace(self.preferences, inspected=None)
-        if self._drape_watch.has_changed(
+        self._is_drape_old |= self._drape_watch.has_changed(
             choices, scene and scene.distance_map, scene and scene.rgb, truth and truth.values,
             policy and policy.q_map, policy and policy.start_density,
             run and (run.run_dir, run.revision),
-        ):  # fmt: skip
+        )  # fmt: skip
+        if self._is_drape_old and self._drape_throttle.is_due(now):
+            self._is_drape_old = False
             self._draped = drape(snapshot, choices, self._workspace)
 
     def _set_light(self, is_light: bool) -> None:

@@ -12,14 +12,32 @@ Point = tuple[float, float]
 Point3 = tuple[float, float, float]
 
 
-def table_point(origin: Point3, direction: Point3) -> Point | None:
-    """Where a ray meets the table, (x, y) [m]; None where it does not."""
+def table_point(origin: Point3, direction: Point3, height: float = 0.0) -> Point | None:
+    """Where a ray meets the level at some height above the table, (x, y) [m].
+
+    Args:
+        origin: Where the ray begins [m].
+        direction: Of any length.
+        height: Of the level [m].
+
+    Returns:
+        None where it does not meet it.
+    """
     if abs(direction[2]) < 1e-9:
         return None
-    distance = -origin[2] / direction[2]
+    distance = (height - origin[2]) / direction[2]
     if distance <= 0.0:
         return None
     return origin[0] + distance * direction[0], origin[1] + distance * direction[1]
+
+
+def seen_at(client: viser.ClientHandle, point: Point3, height: float = 0.0) -> Point | None:
+    """The place at some height [m] that a point in the air covers, as a browser's camera sees it.
+
+    viser reports drags as points in the air, on a plane that faces the camera.
+    """
+    x, y, z = (float(value) for value in client.camera.position)
+    return table_point((x, y, z), (point[0] - x, point[1] - y, point[2] - z), height)
 
 
 @dataclass(frozen=True)
@@ -77,7 +95,7 @@ class Pointer:
     async def _on_drag(self, event: viser.SceneNodeDragEvent[viser.BoxHandle]) -> None:
         if event.phase == "start":
             self._drag_start = event.start_position[:2]
-        end = self._under(event.end_position)
+        end = seen_at(self._client, event.end_position)
         if self._drag_start is None or end is None:
             return
         aim = aim_of_drag(self._drag_start, end, self._workspace)
@@ -89,8 +107,3 @@ class Pointer:
             self._actions.aim(None)
         else:
             self._actions.release(aim)
-
-    def _under(self, point: Point3) -> Point | None:
-        """The place on the table that a point in the air covers, as the camera sees it."""
-        x, y, z = (float(value) for value in self._client.camera.position)
-        return table_point((x, y, z), (point[0] - x, point[1] - y, point[2] - z))

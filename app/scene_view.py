@@ -57,4 +57,7 @@ def _compose(
         is_success=rest.is_success,
         motion_count=live.motion_count,
         last_push=last_push,
+        is_rearranged=rest.scene.is_rearranged,
+        held_block=live.held_block,
+        held_by=live.held_by,
     )

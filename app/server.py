@@ -60,15 +60,22 @@ def bind(host: str, port: int) -> socket.socket:
     return listener
 
 
-def open_server(listener: socket.socket, policy: AccessPolicy) -> viser.ViserServer:
+def open_server(
+    listener: socket.socket, policy: AccessPolicy, on_handled: Callable[[], None] = lambda: None
+) -> viser.ViserServer:
     """Start viser on a bound socket.
 
     viser 1.1.1 has no door of its own: the websocket server that it makes is wrapped while it is
     constructed, so that every request is judged first, every message is checked, and the socket
     is the one that was bound.
+
+    Args:
+        listener: The socket.
+        policy: Who may come in.
+        on_handled: Called, on viser's thread, after a browser's message has been handled.
     """
     rich.get_console().quiet = True  # viser announces itself on standard output
-    with _guarded_serve(listener, policy) as registry:
+    with _guarded_serve(listener, policy, on_handled) as registry:
         server = viser.ViserServer(policy.host, policy.port, label="Singulate", verbose=False)
         registry.append(server)
     for message in (_messages.ShareUrlRequest, _messages.ShareUrlDisconnect):
@@ -86,7 +93,7 @@ def _refused(error: OSError, host: str, port: int) -> InvalidValueError:
 
 @contextlib.contextmanager
 def _guarded_serve(
-    listener: socket.socket, policy: AccessPolicy
+    listener: socket.socket, policy: AccessPolicy, on_handled: Callable[[], None]
 ) -> Iterator[list[viser.ViserServer]]:
     original = websockets.asyncio.server.serve
     registry: list[viser.ViserServer] = []
@@ -94,7 +101,7 @@ def _guarded_serve(
     def serve(handler: Handler, host: str, port: int, **options: Any) -> Any:
         options["process_request"] = _judged(options["process_request"], policy)
         options["max_size"] = MAX_MESSAGE_BYTES
-        return original(_checked(handler, registry), sock=listener, **options)
+        return original(_checked(handler, registry, on_handled), sock=listener, **options)
 
     websockets.asyncio.server.serve = serve  # type: ignore[misc, assignment]
     try:
@@ -117,14 +124,16 @@ def _judged(
     return process_request
 
 
-def _checked(handler: Handler, registry: list[viser.ViserServer]) -> Handler:
+def _checked(
+    handler: Handler, registry: list[viser.ViserServer], on_handled: Callable[[], None]
+) -> Handler:
     async def handle(connection: ServerConnection) -> None:
         guarded: GuardedConnection
 
         def find_input(uuid: str) -> Any | None:
             return _find_input(registry[0], guarded, uuid) if registry else None
 
-        guarded = GuardedConnection(connection, find_input)
+        guarded = GuardedConnection(connection, find_input, on_handled)
         await handler(guarded)
 
     return handle

@@ -5,6 +5,7 @@ from collections.abc import Callable
 import viser
 
 from app.aim import Aim
+from app.block_pointer import BlockPointer
 from app.commands import Command, PushNow
 from app.page import ClientPage
 from app.pointer import Point, Pointer, PointerActions
@@ -12,7 +13,7 @@ from app.snapshot import SceneSnapshot, Snapshot
 from app.views.arrows import AimView, GhostView
 from app.views.camera import CameraView
 from app.views.field import FieldView
-from app.views.pusher import PusherNameView
+from app.views.pusher import PUSHER_HEIGHT, ActorNameView
 from app.views.table import TableView
 from singulate.geometry import Push, Workspace
 
@@ -40,13 +41,15 @@ class ClientSession:
         self._submit = submit
         self._workspace = workspace
         self._start: Point | None = None
+        self._scene: SceneSnapshot | None = None
         self._table = TableView(client.scene, workspace)
         self._field = FieldView(client.scene, workspace)
         self._aim_view = AimView(client, workspace)
         self._ghost = GhostView(client, workspace)
-        self._pusher_name = PusherNameView(client.scene)
+        self._actor_name = ActorNameView(client.scene)
         actions = PointerActions(self._click, self._take_aim, self._release)
         self._pointer = Pointer(client, self._table.top, workspace, actions)
+        self._block_pointer = BlockPointer(client, workspace, name, submit)
         self._camera = CameraView(client, workspace)
         top = client.gui.add_command("View from the top, and back", hotkey="C")
         top.on_trigger(lambda _: self._camera.switch())
@@ -63,15 +66,24 @@ class ClientSession:
         is_dark = self.page.is_dark
         self._table.update(is_dark)
         self._field.update(self.page.draped)
-        scene = snapshot.scene
-        self._aim_view.update(self.aim, is_shown=scene is not None and not scene.is_pushing)
+        self._scene = scene = snapshot.scene
+        is_free = scene is not None and not scene.is_pushing and scene.held_by != self.name
+        self._aim_view.update(self.aim, is_shown=is_free)
         if scene is not None:
             self._ghost.update(_ghost(scene), is_dark)
-            is_other = scene.is_pushing and scene.pushed_by != self.name
-            self._pusher_name.update(scene.pushed_by if is_other else "", scene.pusher)
+            name, place = _actor(scene)
+            self._actor_name.update("" if name == self.name else name, place)
+
+    def drag_block(self, index: int, event: viser.SceneNodeDragEvent[viser.BoxHandle]) -> None:
+        """Follow this person's drag of a block."""
+        scene = self._scene
+        if scene is not None and index < len(scene.poses):
+            self.page.choose_block(index)
+            self._block_pointer.drag(index, scene.poses[index], event)
 
     def close(self) -> None:
-        """Let go of the page."""
+        """Let go of the page, and of the block that its person held."""
+        self._block_pointer.release()
         self.page.close()
 
     def _click(self, point: Point) -> None:
@@ -99,3 +111,15 @@ def _ghost(scene: SceneSnapshot) -> Push | None:
     if scene.is_pushing:
         return scene.active_push
     return None if scene.last_push is None else scene.last_push.push
+
+
+def _actor(scene: SceneSnapshot) -> tuple[str, tuple[float, float, float] | None]:
+    """Who is moving something, and the place above it [m]."""
+    if scene.pusher is not None:
+        x, y, z, _ = scene.pusher
+        return scene.pushed_by, (x, y, z + PUSHER_HEIGHT)
+    if scene.held_block is not None and scene.held_block < len(scene.poses):
+        pose = scene.poses[scene.held_block]
+        x, y, z = pose.position
+        return scene.held_by, (x, y, z + pose.side)
+    return "", None

@@ -51,6 +51,9 @@ class SceneSnapshot:
         picture_version: Version that `distance_map`, `mask` and `rgb` show.
         motion_count: Simulation steps executed since the process started; tests and benchmarks
             measure click-to-motion with it.
+        is_rearranged: Whether blocks were moved, added or removed by hand.
+        held_block: The block that somebody moves by hand.
+        held_by: Who moves it.
     """
 
     version: int
@@ -74,6 +77,9 @@ class SceneSnapshot:
     is_success: bool
     motion_count: int
     last_push: PushReport | None
+    is_rearranged: bool = False
+    held_block: int | None = None
+    held_by: str = ""
 
 
 @dataclass(frozen=True)

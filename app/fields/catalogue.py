@@ -31,6 +31,7 @@ class FieldKind:
         needs: What has to be computed for it, names of `Laboratory.set_wanted_fields`.
         colormap: How it is coloured.
         fades: Whether low values leave the table visible.
+        follows_run: Whether it shows the watched training's pushes.
     """
 
     key: str
@@ -41,6 +42,7 @@ class FieldKind:
     needs: frozenset[str] = frozenset()
     colormap: Colormap = SEQUENTIAL
     fades: bool = False
+    follows_run: bool = False
 
 
 def window_of(snapshot: Snapshot, preferences: Preferences) -> tuple[int, int] | None:
@@ -113,7 +115,8 @@ FIELD_KINDS: tuple[FieldKind, ...] = (
               _TRUTH | _BELIEF, DIVERGING),
     FieldKind("start_density", "Start density", _density, "p", False,
               frozenset({"start_density"}), fades=True),
-    FieldKind("start_histogram", "Start histogram", _histogram, "pushes", fades=True),
+    FieldKind("start_histogram", "Start histogram", _histogram, "pushes", fades=True,
+              follows_run=True),
 )  # fmt: skip
 
 FIELDS_BY_KEY = {kind.key: kind for kind in FIELD_KINDS}

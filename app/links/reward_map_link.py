@@ -15,7 +15,7 @@ from app.processes.supervised import SupervisedProcess
 from app.snapshot import RewardMapSnapshot
 from singulate.geometry import Poses
 
-_NICENESS = 12
+_NICENESS = 1
 _MAX_REMEMBERED = 32
 
 
@@ -23,7 +23,9 @@ class RewardMapLink:
     """Has the reward of every push computed while somebody looks at it and the scene is at rest.
 
     The process is started when a map is wanted for the first time. Finished maps of recent scenes
-    are remembered, so that undoing a push shows the map at once.
+    are remembered, so that undoing a push shows the map at once. While a block is dragged, scenes
+    follow each other faster than maps: each map's coarsest level is completed, so that the field
+    on the table follows, and the finer ones are left to the scene that stays.
 
     Args:
         num_workers: Processes that push in parallel.
@@ -39,6 +41,7 @@ class RewardMapLink:
         self._on_message = on_message
         self._process: SupervisedProcess | None = None
         self._computing: RestState | None = None
+        self._has_coarse = False
         self._failed_version = 0
         self._remembered: OrderedDict[Poses, RewardMapUpdate] = OrderedDict()
         self.snapshot: RewardMapSnapshot | None = None
@@ -53,19 +56,21 @@ class RewardMapLink:
         """Whether a map is under way."""
         return self._computing is not None
 
-    def update(self, rest: RestState | None, *, is_wanted: bool) -> None:
+    def update(self, rest: RestState | None, *, is_wanted: bool, is_dragged: bool = False) -> None:
         """Take in what has arrived; start, replace or cancel the map under way.
 
         Args:
             rest: The scene.
-            is_wanted: Whether somebody looks at the map, and the scene is not about to change.
+            is_wanted: Whether somebody looks at the map, and no push is under way.
+            is_dragged: Whether somebody has a block in the hand.
         """
         self._listen()
         target = rest if is_wanted else None
-        if self._computing is not None and (
-            target is None or target.version != self._computing.version
-        ):
-            self._cancel()
+        computing = self._computing
+        if computing is not None and (target is None or target.version != computing.version):
+            is_soon_shown = target is not None and is_dragged and not self._has_coarse
+            if not is_soon_shown:
+                self._cancel()
         if target is not None and self._computing is None and not self._is_settled(target):
             self._begin(target)
 
@@ -89,6 +94,7 @@ class RewardMapLink:
         match message:
             case RewardMapUpdate() if computing and message.version == computing.version:
                 self._publish(message, computing.version)
+                self._has_coarse = True
                 if message.progress >= 1.0:
                     self._remember(computing.scene.poses, message)
                     self._computing = None
@@ -119,6 +125,7 @@ class RewardMapLink:
         question = ComputeRewardMap(rest.version, rest.scene.poses)
         if self._process.send(question):
             self._computing = rest
+            self._has_coarse = False
 
     def _cancel(self) -> None:
         self._computing = None

@@ -57,6 +57,11 @@ class SceneLink:
         """Whether a push is under way, frozen or not."""
         return self.live is not None and self.live.active_push is not None
 
+    @property
+    def is_held(self) -> bool:
+        """Whether somebody has a block in the hand."""
+        return self.live is not None and self.live.held_block is not None
+
     def send(self, command: object) -> None:
         """Pass a command on; a process that cannot take it is told about on the page."""
         if not self._process.send(command):
@@ -110,4 +115,7 @@ class SceneLink:
             return
         self._motion_before_restart = self.live.motion_count
         poses = self.rest.scene.poses
-        self.live = replace(self.live, poses=poses, pusher=None, active_push=None, pushed_by="")
+        self.live = replace(
+            self.live, poses=poses, pusher=None, active_push=None, pushed_by="",
+            held_block=None, held_by="",
+        )  # fmt: skip

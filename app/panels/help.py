@@ -16,6 +16,7 @@ KEYS = (
 
 HELP_TEXT = (
     "**Click** the table to push from there in the chosen direction, or **drag** an arrow. "
+    "**Drag a block** to move it, with Shift to turn it: every field follows. "
     "Drag beside the table to turn the view; W A S D Q E and the arrow keys move it.\n\n"
     "| Key | What it does |\n|---|---|\n"
     + "\n".join(f"| **{key}** | {text} |" for key, text in KEYS)

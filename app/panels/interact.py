@@ -13,6 +13,7 @@ from app.commands import (
     StepScene,
     Undo,
 )
+from app.panels.blocks import BlocksPanel
 from app.panels.checks import number, one_of, whole_number
 from app.panels.context import PanelContext
 from app.panels.listening import listen, on_pick, on_press, show_value
@@ -48,6 +49,7 @@ class InteractPanel:
         self.scenario = gui.add_dropdown("Scenario", SCENARIOS, initial_value="random-2")
         self.seed = gui.add_number("Seed", 0, min=0, max=MAX_SEED, step=1)
         self._scene_buttons = gui.add_button_group("Table", ("Reset", "Next seed", "Undo"))
+        self.blocks = BlocksPanel(context)
         self.directions = MarkedChoice(
             gui, "Push towards", OTHERS, CHOSEN, self._choose_direction, hint="Keys 1 to 4"
         )
@@ -117,6 +119,7 @@ class InteractPanel:
     def update(self, snapshot: Snapshot) -> None:
         """Show a snapshot."""
         self._scene = scene = snapshot.scene
+        self.blocks.update(scene)
         self.directions.show(self._context.preferences.direction)
         self._update_policies(snapshot)
         show(self.state, _scene_html(scene, self._context.name))
@@ -151,5 +154,9 @@ def _scene_html(scene: SceneSnapshot | None, own_name: str = "") -> str:
     state = "singulated" if scene.is_success else seen
     if scene.is_pushing:
         state = f"{name_for(own_name, scene.pushed_by)} pushing…"
+    elif scene.held_block is not None:
+        state = f"{name_for(own_name, scene.held_by)} moving a block…"
     paused = " · paused" if scene.is_paused else ""
-    return block(f"<b>{escape(scene.scenario)}</b> · seed {scene.seed}", dimmed(state + paused))
+    changed = " · rearranged" if scene.is_rearranged else ""
+    recipe = f"<b>{escape(scene.scenario)}</b> · seed {scene.seed}{changed}"
+    return block(recipe, dimmed(state + paused))

@@ -17,7 +17,8 @@ from app.panels.markup import block, dimmed, picture, show, title
 from app.panels.watch import Throttle, Watch
 from app.snapshot import RunSnapshot, Snapshot
 
-INTERVAL = 0.25
+INTERVAL = 0.5
+"""Shortest time between two versions of the histogram [s]."""
 STRIP_LENGTH, STRIP_BINS = 6, 16
 """Pictures in the strip that shows the whole run, and cells along each side of them."""
 WINDOW_SIZES = ("256", "512", "1024", "2048", "4096", "10000", "20000")

@@ -1,10 +1,12 @@
 """The one interactive scene: what is on the table, the push under way, and the way back."""
 
 from collections.abc import Generator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from app.commands import ArrangeBlocks
+from app.processes.arranging import Hands
 from app.processes.push_reports import report_of
 from app.processes.scene_messages import (
     FinishedPush,
@@ -49,6 +51,7 @@ class LiveScene:
         self._task = PushTask()
         self._reward: RewardFunction = make_reward("paper")
         self._active: _ActivePush | None = None
+        self._hands = Hands(self._task.workspace)
         self._history: list[SavedScene] = []
         self._version = start.version - 1
         self.motion_count = 0
@@ -74,12 +77,14 @@ class LiveScene:
         check_recipe(scenario, seed)
         layout = make_scenario(scenario).sample(np.random.default_rng(seed), self._task.workspace)
         self._drop_push()
+        self._hands.let_go()
         self._history.clear()
         self._task.place(layout)
         self._changed(SavedScene(scenario, seed, len(layout), self._task.scene.poses, 0))
 
     def undo(self) -> None:
-        """Return to before the last push, or to before the one under way."""
+        """Return to before the last push or move by hand, or to before the push under way."""
+        self._hands.let_go()
         if self._active is not None:
             self._drop_push()
             self._put_up(self._scene)
@@ -102,8 +107,33 @@ class LiveScene:
             )
         if push.length > workspace.diagonal:
             raise InvalidValueError("push.length", push.length, f"0 to {workspace.diagonal:.2f} m")
+        self._hands.let_go()
         self._active = _ActivePush(
             request, self._task.percept, self._task.scene.push_steps(push), self._scene.poses
+        )
+
+    def arrange(self, command: ArrangeBlocks) -> None:
+        """Move, add or remove blocks by hand; ignored while a push is under way.
+
+        What stands then is a new start: its pushes are counted from zero.
+
+        Raises:
+            InvalidValueError: If a value is not allowed, or there is no room.
+        """
+        before = self._scene
+        change = None if self._active else self._hands.arrange(command, before.poses)
+        if change is None:
+            return
+        if change.is_new_step:
+            self._history = [*self._history, before][-MAX_HISTORY:]
+        self._put_up(
+            replace(
+                before,
+                num_blocks=len(change.poses),
+                poses=change.poses,
+                num_pushes=0,
+                is_rearranged=True,
+            )
         )
 
     def step(self) -> FinishedPush | None:
@@ -131,7 +161,7 @@ class LiveScene:
 
     def live(self) -> LiveState:
         """What moves, as it is now."""
-        active = self._active
+        active, hold = self._active, self._hands.newest
         return LiveState(
             poses=active.poses if active else self._scene.poses,
             pusher=active.pusher if active else None,
@@ -140,6 +170,8 @@ class LiveScene:
             is_paused=self.is_paused,
             speed=self.speed,
             motion_count=self.motion_count,
+            held_block=hold.index if hold else None,
+            held_by=hold.by if hold else "",
         )
 
     def rest(self) -> RestState:
@@ -156,13 +188,7 @@ class LiveScene:
         result = self._task.score(request.push, active.before, outcome)
         self._history = [*self._history, before][-MAX_HISTORY:]
         self._changed(
-            SavedScene(
-                before.scenario,
-                before.seed,
-                before.num_blocks,
-                self._task.scene.poses,
-                before.num_pushes + 1,
-            )
+            replace(before, poses=self._task.scene.poses, num_pushes=before.num_pushes + 1)
         )
         return FinishedPush(request.push_id, report_of(result, self._reward, request.by))
 

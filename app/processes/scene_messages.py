@@ -1,7 +1,7 @@
 """What the scene process and the laboratory tell each other (plain values only).
 
-The commands `ResetScene`, `Undo`, `SetScenePaused`, `StepScene` and `SetSpeed` are passed on as
-they are.
+The commands `ResetScene`, `Undo`, `ArrangeBlocks`, `SetScenePaused`, `StepScene` and `SetSpeed`
+are passed on as they are.
 """
 
 from dataclasses import dataclass
@@ -23,7 +23,8 @@ class SavedScene:
         seed: Seed of that recipe.
         num_blocks: Blocks that it started with, fallen ones included.
         poses: Where they are.
-        num_pushes: Pushes since the scene was put up.
+        num_pushes: Pushes since the scene was put up, or since blocks were last moved by hand.
+        is_rearranged: Whether blocks were moved, added or removed by hand.
     """
 
     scenario: str
@@ -31,6 +32,7 @@ class SavedScene:
     num_blocks: int
     poses: Poses
     num_pushes: int
+    is_rearranged: bool = False
 
 
 @dataclass(frozen=True)
@@ -76,6 +78,8 @@ class LiveState:
     is_paused: bool
     speed: float
     motion_count: int
+    held_block: int | None = None
+    held_by: str = ""
 
 
 @dataclass(frozen=True)

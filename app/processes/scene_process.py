@@ -3,7 +3,7 @@
 import time
 from collections.abc import Callable
 
-from app.commands import ResetScene, SetScenePaused, SetSpeed, StepScene, Undo
+from app.commands import ArrangeBlocks, ResetScene, SetScenePaused, SetSpeed, StepScene, Undo
 from app.processes.live_scene import LiveScene
 from app.processes.pipes import Pipe, has_room
 from app.processes.scene_messages import (
@@ -89,6 +89,8 @@ class ScenePlayer:
                 scene.reset(scenario, seed)
             case Undo():
                 scene.undo()
+            case _ if isinstance(command, ArrangeBlocks):
+                scene.arrange(command)
             case SetScenePaused(is_paused):
                 scene.is_paused = is_paused
             case StepScene():

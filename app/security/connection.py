@@ -2,6 +2,7 @@
 
 import asyncio
 import logging
+from collections.abc import Callable
 from typing import Any
 
 from websockets.asyncio.server import ServerConnection
@@ -24,11 +25,16 @@ class GuardedConnection:
     Args:
         connection: The real websocket.
         find_input: Finds the inputs that this browser has been shown.
+        on_handled: Called after a message has been handled.
     """
 
-    def __init__(self, connection: ServerConnection, find_input: FindInput) -> None:
+    def __init__(
+        self, connection: ServerConnection, find_input: FindInput, on_handled: Callable[[], None]
+    ) -> None:
         self._connection = connection
         self._find_input = find_input
+        self._on_handled = on_handled
+        self._has_passed_on = False
         self._num_dropped = 0
 
     @property
@@ -38,10 +44,14 @@ class GuardedConnection:
 
     async def recv(self) -> bytes:
         """The next acceptable message; the others are dropped."""
+        if self._has_passed_on:
+            # viser has made a task of the last message, which runs before this call.
+            asyncio.get_running_loop().call_soon(self._on_handled)
         while True:
             raw: Any = await self._connection.recv()
             if is_acceptable(raw, self._find_input):
                 assert isinstance(raw, bytes)
+                self._has_passed_on = True
                 return raw
             self._num_dropped += 1
             if self._num_dropped <= MAX_REPORTED:

@@ -1,5 +1,7 @@
 """The blocks and their shadows, moved in place."""
 
+from collections.abc import Callable
+
 import viser
 
 from app.views.palette import BLOCK_COLOURS
@@ -9,6 +11,9 @@ from singulate.geometry import BlockPose, Poses, Workspace
 _LOWEST = 0.0
 """A block whose centre is below the table [m] has fallen off and is not drawn."""
 
+OnDrag = Callable[[int, viser.SceneNodeDragEvent[viser.BoxHandle]], None]
+"""Called with the number of a block and what a browser's pointer does to it."""
+
 
 class BlocksView:
     """All blocks, the same in every browser; handles are made once and then only moved.
@@ -16,10 +21,12 @@ class BlocksView:
     Args:
         scene: The scene that all browsers share.
         workspace: The table.
+        on_drag: Told of drags with the left button, with and without Shift.
     """
 
-    def __init__(self, scene: viser.SceneApi, workspace: Workspace) -> None:
+    def __init__(self, scene: viser.SceneApi, workspace: Workspace, on_drag: OnDrag) -> None:
         self._scene = scene
+        self._on_drag = on_drag
         self._boxes: list[viser.BoxHandle] = []
         self._shadows = ShadowsView(scene, workspace)
         self._shown: Poses = ()
@@ -38,7 +45,15 @@ class BlocksView:
 
     def _add(self, index: int) -> viser.BoxHandle:
         colour = BLOCK_COLOURS[index % len(BLOCK_COLOURS)]
-        return self._scene.add_box(f"/blocks/{index}", colour, visible=False, cast_shadow=False)
+        box = self._scene.add_box(f"/blocks/{index}", colour, visible=False, cast_shadow=False)
+
+        # A coroutine that never waits: viser keeps the order of its calls.
+        async def on_drag(event: viser.SceneNodeDragEvent[viser.BoxHandle]) -> None:
+            self._on_drag(index, event)
+
+        box.on_drag("left")(on_drag)
+        box.on_drag("left", modifier="shift")(on_drag)
+        return box
 
 
 def _place(box: viser.BoxHandle, pose: BlockPose | None) -> None:

@@ -1,4 +1,4 @@
-"""The pusher, and the name of the person who moves it."""
+"""The pusher, and the name of the person who moves it, or a block."""
 
 import math
 
@@ -36,20 +36,20 @@ class PusherView:
             self._box.visible = pose is not None
 
 
-class PusherNameView:
-    """Says above the pusher who is pushing, in the browsers of the others."""
+class ActorNameView:
+    """Says above the pusher or a block who is moving it, in the browsers of the others."""
 
     def __init__(self, scene: viser.SceneApi) -> None:
         self._label = scene.add_label(
-            "/pusher_name", "", visible=False, anchor="bottom-center", font_screen_scale=0.9
+            "/actor_name", "", visible=False, anchor="bottom-center", font_screen_scale=0.9
         )
         self._shown = ""
 
-    def update(self, name: str, pose: tuple[float, float, float, float] | None) -> None:
-        """Show a name at the pusher's pose; an empty name or no pose hides it."""
-        is_shown = bool(name) and pose is not None
-        if pose is not None and is_shown:
-            self._label.position = (pose[0], pose[1], pose[2] + PUSHER_HEIGHT)
+    def update(self, name: str, place: tuple[float, float, float] | None) -> None:
+        """Show a name at a place (x, y, z) [m]; an empty name or no place hides it."""
+        is_shown = bool(name) and place is not None
+        if place is not None and is_shown:
+            self._label.position = place
             if name != self._shown:
                 self._label.text = self._shown = name
         if self._label.visible != is_shown:

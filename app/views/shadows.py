@@ -68,6 +68,4 @@ def shadows(poses: Poses, reach: float) -> npt.NDArray[np.uint8]:
 
 
 def _footprint(pose: BlockPose) -> npt.NDArray[np.float64]:
-    x, y, z, w = pose.quaternion
-    yaw = np.arctan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
-    return rectangle(pose.position[:2], (pose.side / 2, pose.side / 2), float(yaw))
+    return rectangle(pose.position[:2], (pose.side / 2, pose.side / 2), pose.yaw)

@@ -1,85 +1,112 @@
-"""The page while an agent trains: how soon a click moves the pusher, what the page costs."""
+"""The page: how soon it answers, how fast its fields follow, and what it costs a training."""
 
+import os
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
 
+from singulate.bench.dashboard_drag import drag_block
 from singulate.bench.dashboard_page import VIEWPORT, ClickTimes, open_page
-from singulate.bench.dashboard_process import (
-    SCENARIO,
-    pushes_per_second,
-    running_dashboard,
-    running_trainer,
-)
+from singulate.bench.dashboard_process import SCENARIO, running_dashboard, running_trainer
 from singulate.bench.dashboard_socket import open_socket
 from singulate.bench.measurement import BenchOptions, Measurement
+from singulate.exceptions import SingulateError
 
 NUM_CLICKS = 20
 _FREE_PLACES = ((-0.8, -0.7), (0.8, -0.7), (-0.6, -0.8), (0.6, -0.8))
 """Starts on ``fixed-2`` from which a push upwards meets nothing [m]."""
+_DRAG_PLACES = ((-0.5, 0.4), (0.5, 0.5), (0.5, -0.4), (-0.5, -0.3))
+"""Where a block of ``random-3`` is dragged to [m]."""
+_STANDING_BACK = 19
+"""Niceness that comes close to a browser on another machine."""
 
 
 def bench_dashboard(options: BenchOptions) -> Iterator[Measurement]:
-    """Drive the real page in headless Chromium while a DQN trains.
+    """Drive the real page in headless Chromium and over bare websockets.
 
-    The training's speed without the page is measured before and after, so that a machine that
-    becomes slower or faster meanwhile is not counted for or against the page.
+    Raises:
+        SingulateError: If playwright, psutil or a browser is missing, or the page does not answer.
     """
-    seconds = 2.0 * options.seconds
+    try:
+        from singulate.bench.dashboard_clients import bench_clients
+    except ImportError:
+        raise SingulateError(
+            "bench dashboard needs psutil: pip install 'singulate[test]'"
+        ) from None
     with tempfile.TemporaryDirectory(prefix="singulate-bench-") as temporary:
         directory = Path(temporary)
-        run_dir = directory / "run"
-        with running_trainer(run_dir):
-            alone = [pushes_per_second(run_dir, seconds)]
-            with running_dashboard(directory, run_dir) as url:
-                with open_socket(url) as socket:
-                    undrawn = [socket.click(*_place(i)) for i in range(NUM_CLICKS)]
-                with open_page(url, directory, niceness=19) as page:
-                    page.wait_for_reward_map()
-                    remote = pushes_per_second(run_dir, seconds)
-                with open_page(url, directory) as page:
-                    page.wait_for_reward_map()
-                    local = pushes_per_second(run_dir, seconds)
-                    clicks = [page.click(*_place(i)) for i in range(NUM_CLICKS)]
-                    frame_rate = page.frames_per_second(2.0)
-            alone.append(pushes_per_second(run_dir, seconds))
-    yield from _undrawn_clicks(undrawn)
+        yield from _dragging(directory, options.num_repeats)
+        yield from bench_clients(directory, options.seconds)
+        yield from _beside_training(directory, options)
+
+
+def _dragging(directory: Path, num_repeats: int) -> Iterator[Measurement]:
+    with (
+        running_dashboard(directory, scenario="random-3") as dashboard,
+        open_page(dashboard.url, directory) as page,
+    ):
+        page.wait_for_reward_map()
+        pauses = [pause for _ in range(num_repeats) for pause in drag_block(page, _DRAG_PLACES)]
+    note = f"{len(pauses)} pauses of a drag on random-3, browser on the same machine"
+    yield from _spread("pause to coarse true reward", [pause.coarse_s for pause in pauses], note)
+    yield from _spread("pause to full true reward", [pause.full_s for pause in pauses], note)
+    for name, values in (
+        ("places of a dragged block", [pause.poses_per_second for pause in pauses]),
+        ("frames while dragging", [pause.frames_per_second for pause in pauses]),
+    ):
+        yield Measurement(name, float(np.median(values)), "1/s", f"{note}, software rendering")
+
+
+def _beside_training(directory: Path, options: BenchOptions) -> Iterator[Measurement]:
+    from singulate.bench.dashboard_tax import Tax, measure_tax, tree
+
+    run_dir = directory / "run"
+    taxes: dict[str, Tax] = {}
+    with running_trainer(run_dir), running_dashboard(directory, run_dir) as dashboard:
+        with open_socket(dashboard.url) as socket:
+            undrawn = [socket.click(*_place(i)) for i in range(NUM_CLICKS)]
+            trained_bytes = socket.num_bytes(options.seconds) / options.seconds
+        with open_page(dashboard.url, directory, niceness=_STANDING_BACK) as page:
+            page.wait_for_reward_map()
+
+            def taxed(act: Callable[[], None] = lambda: None) -> Tax:
+                browser = [each for each in tree(os.getpid()) if "chrom" in each.name()]
+                processes = [*tree(dashboard.pid), *browser]
+                return measure_tax(run_dir, processes, options.seconds, options.num_repeats, act)
+
+            taxes["idle"] = taxed()
+            taxes["all fields anew"] = taxed(lambda: page.press("Next seed"))
+        with open_page(dashboard.url, directory) as page:
+            page.press("Reset")
+            page.wait_for_reward_map()
+            clicks = [page.click(*_place(i)) for i in range(NUM_CLICKS)]
+            frame_rate = page.frames_per_second(2.0)
+    note = f"{NUM_CLICKS} clicks over the page's websocket, an agent trains, nothing is drawn"
+    yield from _spread("click to motion at the server", undrawn, note)
     yield from _clicks(clicks, frame_rate)
-    yield from _rates(alone, remote, local)
+    yield Measurement("bytes to a client beside training", trained_bytes, "B/s", "curves, starts")
+    for name, tax in taxes.items():
+        each = ", ".join(f"{b:.4g} of {a:.4g}" for a, b in zip(tax.alone, tax.beside, strict=True))
+        yield Measurement(
+            f"training speed kept, page open, {name}", tax.speed_kept, "",
+            f"DQN on {SCENARIO}, exploring; pushes/s, page at work and stopped by turns: {each}",
+        )  # fmt: skip
 
 
 def _place(index: int) -> tuple[float, float]:
     return _FREE_PLACES[index % len(_FREE_PLACES)]
 
 
-def _undrawn_clicks(seconds: Sequence[float]) -> Iterator[Measurement]:
-    note = f"{len(seconds)} clicks over the page's websocket, an agent trains, nothing is drawn"
-    motion = 1e3 * np.array(seconds)
-    yield Measurement("click to motion at the server, median", float(np.median(motion)), "ms", note)
-    yield Measurement("click to motion at the server, max", float(motion.max()), "ms", note)
-
-
 def _clicks(clicks: Sequence[ClickTimes], frame_rate: float) -> Iterator[Measurement]:
     note = f"{len(clicks)} clicks, an agent trains, software rendering"
-    motion = 1e3 * np.array([click.motion for click in clicks])
-    picture = 1e3 * np.array([click.picture for click in clicks])
-    yield Measurement(
-        "click to motion in the browser, median", float(np.median(motion)), "ms", note
-    )
-    yield Measurement("click to motion in the browser, max", float(motion.max()), "ms", note)
-    yield Measurement("click to picture, median", float(np.median(picture)), "ms", note)
+    yield from _spread("click to motion in the browser", [each.motion for each in clicks], note)
+    yield from _spread("click to picture", [each.picture for each in clicks], note)
     size = f"{VIEWPORT[0]} x {VIEWPORT[1]}"
     yield Measurement("frames of the page", frame_rate, "1/s", f"{size}, software rendering")
 
 
-def _rates(alone: Sequence[float], remote: float, local: float) -> Iterator[Measurement]:
-    baseline = float(np.mean(alone))
-    training = f"DQN on {SCENARIO}, exploring"
-    each = ", ".join(f"{rate:.4g}" for rate in alone)
-    yield Measurement("training alone", baseline, "pushes/s", f"{training}; before, after: {each}")
-    yield Measurement("training, page open", remote, "pushes/s", "browser stands back (nice 19)")
-    yield Measurement("training, page and browser", local, "pushes/s", "browser takes its share")
-    yield Measurement("speed kept with the page open", remote / baseline, "", "1 is no loss")
-    yield Measurement("speed kept with page and browser", local / baseline, "", "1 is no loss")
+def _spread(name: str, seconds: Sequence[float], note: str) -> Iterator[Measurement]:
+    yield Measurement(f"{name}, median", 1e3 * float(np.median(seconds)), "ms", note)
+    yield Measurement(f"{name}, max", 1e3 * max(seconds), "ms", note)

@@ -50,11 +50,11 @@ _WATCH = """() => {
     };
 }"""
 
-_PROJECT = """([x, y]) => {
+PROJECT = """([x, y, z]) => {
     const {camera, canvas, nodeRefFromName} = window.__viserMutable;
     const apply = (e, v) => [0, 1, 2, 3].map(
         (i) => e[i] * v[0] + e[4 + i] * v[1] + e[8 + i] * v[2] + e[12 + i] * v[3]);
-    const world = apply(nodeRefFromName[""].matrixWorld.elements, [x, y, 0, 1]);
+    const world = apply(nodeRefFromName[""].matrixWorld.elements, [x, y, z ?? 0, 1]);
     const eye = apply(camera.matrixWorldInverse.elements, world);
     const clip = apply(camera.projectionMatrix.elements, eye);
     const box = canvas.getBoundingClientRect();
@@ -129,10 +129,14 @@ def open_page(url: str, directory: Path, niceness: int = 0) -> Iterator["Dashboa
 
 
 class DashboardPage:
-    """A browser with the dashboard open; see `open_page`."""
+    """A browser with the dashboard open; see `open_page`.
 
-    def __init__(self, page: "Page") -> None:
-        self._page = page
+    Attributes:
+        window: Playwright's page.
+    """
+
+    def __init__(self, window: "Page") -> None:
+        self.window = window
 
     def click(self, x: float, y: float) -> ClickTimes:
         """Click on the table once it is at rest and wait until the pusher has been seen moving.
@@ -141,9 +145,9 @@ class DashboardPage:
             x: Where, from left to right [m].
             y: Where, from below to above [m].
         """
-        page = self._page
+        page = self.window
         page.wait_for_function(_IS_AT_REST, timeout=_TIMEOUT_MS)
-        page.mouse.click(*page.evaluate(_PROJECT, [x, y]))
+        page.mouse.click(*page.evaluate(PROJECT, [x, y]))
         page.wait_for_function(_HAS_MOVED, timeout=_TIMEOUT_MS)
         times = page.evaluate("() => window.__clickTimes")
         pressed = times["pressed"]
@@ -154,11 +158,15 @@ class DashboardPage:
 
     def wait_for_reward_map(self) -> None:
         """Wait until the field on the table changes no more: its reward map is complete."""
-        self._page.wait_for_function(_IS_MAP_COMPLETE, arg=_QUIET_S, timeout=2 * _TIMEOUT_MS)
+        self.window.wait_for_function(_IS_MAP_COMPLETE, arg=_QUIET_S, timeout=2 * _TIMEOUT_MS)
+
+    def press(self, button: str) -> None:
+        """Press a button of the page."""
+        self.window.get_by_role("button", name=button, exact=True).first.click()
 
     def frames_per_second(self, seconds: float) -> float:
         """Frames that the browser draws a second."""
-        return float(self._page.evaluate(_FRAMES, seconds))
+        return float(self.window.evaluate(_FRAMES, seconds))
 
 
 def _nice_browser(directory: Path, niceness: int) -> Path:

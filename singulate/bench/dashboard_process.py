@@ -8,6 +8,7 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import NamedTuple
 
 from singulate.envs import EnvConfig
 from singulate.exceptions import RunError, SingulateError
@@ -21,18 +22,33 @@ SCENARIO = "random-2"
 WARM_UP_STEPS = 100
 
 
+class RunningDashboard(NamedTuple):
+    """A dashboard that listens.
+
+    Attributes:
+        url: Where.
+        pid: Of its server; the other processes are its children.
+    """
+
+    url: str
+    pid: int
+
+
 @contextmanager
-def running_dashboard(directory: Path, run_dir: Path | None = None) -> Iterator[str]:
-    """Start ``python -m app`` on a free port; yields its address.
+def running_dashboard(
+    directory: Path, run_dir: Path | None = None, scenario: str = "fixed-2"
+) -> Iterator[RunningDashboard]:
+    """Start ``python -m app`` on a free port.
 
     Args:
         directory: For its log and for runs that it might start.
         run_dir: The run to watch.
+        scenario: What stands on the table.
 
     Raises:
         SingulateError: If it ends before it listens.
     """
-    command = [sys.executable, "-m", "app", "--port", "0", "--scenario", "fixed-2"]
+    command = [sys.executable, "-m", "app", "--port", "0", "--scenario", scenario]
     if run_dir is not None:
         command += ["--run", str(run_dir)]
     path = {"PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
@@ -51,7 +67,7 @@ def running_dashboard(directory: Path, run_dir: Path | None = None) -> Iterator[
         if found is None:
             said = log_path.read_text(errors="replace").strip().splitlines()[-1:]
             raise SingulateError(f"the dashboard does not start: {' '.join(said)}")
-        yield found[0]
+        yield RunningDashboard(found[0], process.pid)
     finally:
         process.terminate()
         process.stdout.close()

@@ -40,6 +40,7 @@ def open_socket(url: str) -> Iterator["DashboardSocket"]:
         origin=Origin(f"http://{authority}"),
         subprotocols=[Subprotocol(f"viser-v{version('viser')}")],
         max_size=None,
+        max_queue=None,  # also a page that nobody reads stays connected
     ) as connection:
         connection.send(msgspec.msgpack.encode(_CAMERA))
         while not any(
@@ -84,6 +85,27 @@ class DashboardSocket:
             if time.monotonic() - begin > _TIMEOUT_S:
                 raise TimeoutError("the pusher does not move")
         return time.monotonic() - begin
+
+    def num_bytes(self, seconds: float) -> int:
+        """Bytes that the page is sent in some time."""
+        return sum(map(len, self._receive(seconds)))
+
+    def wait_until_calm(self, seconds: float, num_bytes: int) -> None:
+        """Wait until the page is sent no more than so many bytes in some time.
+
+        Raises:
+            TimeoutError: If that does not happen.
+        """
+        give_up = time.monotonic() + 2 * _TIMEOUT_S
+        while self.num_bytes(seconds) > num_bytes:
+            if time.monotonic() > give_up:
+                raise TimeoutError("the page is sent more and more")
+
+    def _receive(self, seconds: float) -> Iterator[bytes | str]:
+        end = time.monotonic() + seconds
+        while (left := end - time.monotonic()) > 0.0:
+            with suppress(TimeoutError):
+                yield self._connection.recv(timeout=left)
 
     def _wait_for_rest(self) -> None:
         last_motion = time.monotonic()

@@ -55,6 +55,12 @@ class BlockPose(NamedTuple):
     quaternion: tuple[float, float, float, float]
     side: float
 
+    @property
+    def yaw(self) -> float:
+        """Turn about the vertical of a block that stands upright [rad]."""
+        x, y, z, w = self.quaternion
+        return math.atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
+
 
 Poses = tuple[BlockPose, ...]
 """The state of a scene at rest: all that the next push depends on."""

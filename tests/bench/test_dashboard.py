@@ -29,7 +29,10 @@ def test_speed_is_read_from_a_real_training(tmp_path: Path) -> None:
 @pytest.mark.slow
 @pytest.mark.browser
 def test_a_click_on_the_real_page_is_timed(tmp_path: Path) -> None:
-    with running_dashboard(tmp_path) as url, open_page(url, tmp_path, niceness=1) as page:
+    with (
+        running_dashboard(tmp_path) as dashboard,
+        open_page(dashboard.url, tmp_path, niceness=1) as page,
+    ):
         clicks = [page.click(-0.8, -0.7), page.click(0.8, -0.7)]
         assert page.frames_per_second(0.5) > 0.0
     for click in clicks:
@@ -37,7 +40,7 @@ def test_a_click_on_the_real_page_is_timed(tmp_path: Path) -> None:
 
 
 def test_a_click_over_the_websocket_is_timed(tmp_path: Path) -> None:
-    with running_dashboard(tmp_path) as url, open_socket(url) as socket:
+    with running_dashboard(tmp_path) as dashboard, open_socket(dashboard.url) as socket:
         assert 0.0 < socket.click(-0.8, -0.7) < 30.0
         assert 0.0 < socket.click(0.8, -0.7) < 30.0
 

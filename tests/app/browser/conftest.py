@@ -1,5 +1,6 @@
 """The real dashboard in a process of its own, looked at through headless Chromium."""
 
+import math
 import os
 import shutil
 import signal
@@ -156,6 +157,18 @@ class LabPage:
         mouse.move(*self.on_screen(*end), steps=4)
         self.page.wait_for_timeout(200)
         mouse.up()
+
+    def grab_block(self, index: int) -> None:
+        """Press the mouse button on the top of a block."""
+        x, y, z = self.position(f"/blocks/{index}")
+        self.page.mouse.move(*self.on_screen(x, y, 2 * z))
+        self.page.mouse.down()
+
+    def drag_block(self, index: int, x: float, y: float) -> None:
+        """Move the mouse so that a grabbed block comes to a place; wait until it is drawn there."""
+        name = f"/blocks/{index}"
+        self.page.mouse.move(*self.on_screen(x, y, 2 * self.position(name)[2]), steps=4)
+        self.wait(lambda: math.dist(self.position(name)[:2], (x, y)) < 0.01)
 
     def record_pusher(self) -> None:
         """From now on, keep the places at which the pusher is drawn."""

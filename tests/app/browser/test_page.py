@@ -157,8 +157,8 @@ def test_two_browsers_see_one_table(page: Any, open_page: Callable[[], Any]) -> 
     page.press("n")
     for window in (page, other):
         window.wait(lambda window=window: window.is_pushing)
-    other.wait(lambda: other.is_visible("/pusher_name"))
-    assert not page.is_visible("/pusher_name")
+    other.wait(lambda: other.is_visible("/actor_name"))
+    assert not page.is_visible("/actor_name")
     assert page.position("/pusher") == pytest.approx(other.position("/pusher"), abs=1e-6)
     other.press("Space")
     for window in (page, other):
@@ -166,5 +166,14 @@ def test_two_browsers_see_one_table(page: Any, open_page: Callable[[], Any]) -> 
         window.wait_for_text("right from (-0.70, 0.30)")
     for index in (0, 1):
         assert page.position(f"/blocks/{index}") == other.position(f"/blocks/{index}")
+
+    page.grab_block(0)
+    page.drag_block(0, -0.5, -0.5)
+    other.wait(lambda: other.is_visible("/actor_name"))
+    other.wait_for_text("moving a block")
+    assert not page.is_visible("/actor_name")
+    assert other.position("/blocks/0") == pytest.approx(page.position("/blocks/0"), abs=1e-6)
+    page.page.mouse.up()
+    other.wait(lambda: not other.is_visible("/actor_name"))
     assert other.errors == []
     other.close()

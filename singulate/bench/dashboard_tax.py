@@ -1,0 +1,77 @@
+"""What the page takes from a training: the page stands still and works, turn by turn."""
+
+import signal
+import statistics
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import NamedTuple
+
+import psutil
+
+from singulate.bench.dashboard_process import pushes_per_second
+
+
+class Tax(NamedTuple):
+    """Speeds of one training with the page at work and standing still.
+
+    Attributes:
+        alone: Pushes a second while all processes of the page were stopped.
+        beside: Pushes a second in the phase after each of these, with the page at work.
+    """
+
+    alone: list[float]
+    beside: list[float]
+
+    @property
+    def speed_kept(self) -> float:
+        """Median of the pairs' ratios; 1 is no loss."""
+        pairs = zip(self.alone, self.beside, strict=True)
+        return statistics.median(beside / alone for alone, beside in pairs)
+
+
+def measure_tax(
+    run_dir: Path,
+    processes: list[psutil.Process],
+    seconds: float,
+    num_pairs: int,
+    act: Callable[[], None] = lambda: None,
+) -> Tax:
+    """Alternate between phases of one training, so that a machine that changes counts for neither.
+
+    Args:
+        run_dir: The training.
+        processes: All processes of the page.
+        seconds: Length of a phase.
+        num_pairs: Phases of each kind.
+        act: Called at the beginning of each phase in which the page works.
+    """
+    tax = Tax([], [])
+    for _ in range(num_pairs):
+        with stopped(processes):
+            tax.alone.append(pushes_per_second(run_dir, seconds))
+        act()
+        tax.beside.append(pushes_per_second(run_dir, seconds))
+    return tax
+
+
+def tree(pid: int) -> list[psutil.Process]:
+    """A process and all below it."""
+    root = psutil.Process(pid)
+    return [root, *root.children(recursive=True)]
+
+
+@contextmanager
+def stopped(processes: list[psutil.Process]) -> Iterator[None]:
+    """Keep processes from working during a block."""
+    _send(processes, signal.SIGSTOP)
+    try:
+        yield
+    finally:
+        _send(processes, signal.SIGCONT)
+
+
+def _send(processes: list[psutil.Process], number: signal.Signals) -> None:
+    for process in processes:
+        with suppress(psutil.NoSuchProcess):
+            process.send_signal(number)
