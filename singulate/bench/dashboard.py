@@ -1,5 +1,6 @@
 """The page: how soon it answers, how fast its fields follow, and what it costs a training."""
 
+import math
 import os
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
@@ -108,5 +109,8 @@ def _clicks(clicks: Sequence[ClickTimes], frame_rate: float) -> Iterator[Measure
 
 
 def _spread(name: str, seconds: Sequence[float], note: str) -> Iterator[Measurement]:
-    yield Measurement(f"{name}, median", 1e3 * float(np.median(seconds)), "ms", note)
-    yield Measurement(f"{name}, max", 1e3 * max(seconds), "ms", note)
+    for which, value in (("median", float(np.median(seconds))), ("max", max(seconds))):
+        if math.isfinite(value):
+            yield Measurement(f"{name}, {which}", 1e3 * value, "ms", note)
+        else:
+            yield Measurement(f"{name}, {which}", None, "ms", f"not in time; {note}")

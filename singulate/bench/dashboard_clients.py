@@ -34,25 +34,22 @@ def bench_clients(directory: Path, seconds: float) -> Iterator[Measurement]:
 def _costs(
     dashboard: RunningDashboard, sockets: list[DashboardSocket], seconds: float
 ) -> Iterator[Measurement]:
-    num_clients = len(sockets)
-    people = f"{num_clients} client" + ("s" if num_clients > 1 else "")
     with ServerTime(dashboard.pid) as idle:
         idle_bytes = sockets[0].num_bytes(seconds)
-    yield Measurement(f"bytes to an idle client, {people}", idle_bytes / seconds, "B/s",
-                      "scene at rest, all fields complete, no training")  # fmt: skip
-    yield Measurement(f"processor share of the idle server, {people}", idle.share, "cores",
-                      "the process that serves the page")  # fmt: skip
-    delays, pushed_bytes = [], 0
+    delays: list[float] = []
     with ServerTime(dashboard.pid) as busy:
         while busy.elapsed < seconds:
             delays.append(sockets[0].click(*_PLACE))
-            pushed_bytes += sockets[-1].num_bytes(1.0)
-    yield Measurement(f"processor share while pushing, {people}", busy.share, "cores",
-                      "the process that serves the page; one push after the other")  # fmt: skip
-    yield Measurement(f"click to motion at the server, {people}", 1e3 * max(delays), "ms",
-                      f"slowest of {len(delays)}, nothing is drawn")  # fmt: skip
     for socket in sockets:
         socket.wait_until_calm(_CALM_S, _CALM_BYTES)
+    slowest = f"slowest of {len(delays)}, nothing is drawn"
+    for name, value, unit, note in (
+        ("bytes to an idle client", idle_bytes / seconds, "B/s", "all fields there, no training"),
+        ("processor share of the server at rest", idle.share, "cores", "the page's own process"),
+        ("processor share while pushing", busy.share, "cores", "one push after the other"),
+        ("click to motion with clients", 1e3 * max(delays), "ms", slowest),
+    ):
+        yield Measurement(name, value, unit, note, axis="clients", at=len(sockets))
 
 
 class ServerTime:

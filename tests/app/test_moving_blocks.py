@@ -152,18 +152,3 @@ def test_a_bad_value_is_one_line_and_moves_nothing(bench, commands, word):
     assert word in text and "\n" not in text
     assert bench.run(0.1)[-1].scene.version == before.version
     bench.do(ReleaseBlock(9))
-
-
-def test_the_true_reward_follows_a_drag(bench):
-    bench.laboratory.set_wanted_fields({"reward_map"})
-    bench.until(lambda s: s.reward_map is not None and s.reward_map.progress == 1.0)
-    bench.do(HoldBlock(10, 0))
-    shown = set()
-    for i in range(40):
-        bench.do(MoveBlock(10, place=(-0.3 - 0.01 * i, 0.3)))
-        shown |= {s.reward_map.scene_version for s in bench.run(0.05)}
-    assert len(shown) > 3
-    last = bench.until(lambda s: s.reward_map.scene_version == s.scene.version)
-    assert place(last.scene) == pytest.approx((-0.69, 0.3))
-    bench.until(lambda s: s.reward_map.progress == 1.0)
-    bench.do(ReleaseBlock(10))

@@ -1,10 +1,15 @@
+import sys
+import time
 from pathlib import Path
 
+import psutil
 import pytest
 
+from singulate.bench.dashboard_drag import drag_block
 from singulate.bench.dashboard_page import open_page
 from singulate.bench.dashboard_process import pushes_per_second, running_dashboard, running_trainer
 from singulate.bench.dashboard_socket import open_socket
+from singulate.bench.dashboard_tax import Tax, stopped, tree
 from singulate.exceptions import SingulateError
 
 
@@ -24,6 +29,37 @@ def test_speed_is_read_from_a_real_training(tmp_path: Path) -> None:
         assert pushes_per_second(run_dir, seconds=0.1) > 1.0
     with pytest.raises(SingulateError, match="trainer"):
         pushes_per_second(run_dir, seconds=0.1)
+
+
+def test_a_stopped_process_does_not_work_and_goes_on_afterwards() -> None:
+    process = psutil.Popen([sys.executable, "-c", "while True: pass"])
+    try:
+        with stopped(tree(process.pid)):
+            before = process.cpu_times().user
+            time.sleep(0.3)
+            assert process.cpu_times().user == before
+        while process.cpu_times().user == before:
+            time.sleep(0.01)
+    finally:
+        process.kill()
+        process.wait()
+
+
+def test_speed_kept_is_the_median_of_the_pairs() -> None:
+    assert Tax([10.0, 20.0, 40.0], [9.0, 20.0, 20.0]).speed_kept == 0.9
+
+
+@pytest.mark.slow
+@pytest.mark.browser
+def test_a_drag_on_the_real_page_is_timed(tmp_path: Path) -> None:
+    with (
+        running_dashboard(tmp_path, scenario="random-3") as dashboard,
+        open_page(dashboard.url, tmp_path) as page,
+    ):
+        page.wait_for_reward_map()
+        (pause,) = drag_block(page, [(-0.5, 0.4)])
+    assert 0.0 < pause.coarse_s < pause.full_s
+    assert pause.frames_per_second > 0.0
 
 
 @pytest.mark.slow
