@@ -7,8 +7,11 @@ from singulate.exceptions import SimulationError
 from singulate.simulation.physics import Physics
 from singulate.simulation.world import World
 
+_MIN_UNSEEN_STEPS = 3
+"""Looking at every block after every step takes as long as the step."""
+
 _MAX_UNSEEN_STEPS = 8
-"""A block that falls off the table is seen to do so after this many steps at the latest."""
+"""Blocks that fall off the table, and are never still, are taken away this often."""
 
 
 def settle(world: World) -> Generator[None, None, tuple[int, bool]]:
@@ -24,9 +27,12 @@ def settle(world: World) -> Generator[None, None, tuple[int, bool]]:
         SimulationError: If a block is so fast that the physics went wrong.
     """
     physics = world.physics
-    num_steps = 0
+    num_steps, looked_at = 0, 0
+    world.remove_fallen()
     while True:
-        world.remove_fallen()
+        if num_steps - looked_at >= _MAX_UNSEEN_STEPS or num_steps == physics.max_settle_steps:
+            world.remove_fallen()
+            looked_at = num_steps
         speeds = world.block_speeds()
         _check(speeds, physics.max_speed)
         if is_still(speeds, physics.settle_speed):
@@ -49,12 +55,12 @@ def is_still(speeds: list[tuple[float, float]], limit: float) -> bool:
 def _num_moving_steps(speeds: list[tuple[float, float]], physics: Physics) -> int:
     """Steps in which friction with the table alone cannot stop the fastest block.
 
-    Looking at every block after every step takes as long as the step. A block that something else
-    stops sooner merely lies still for a while.
+    A block that something else stops sooner merely lies still for a while.
     """
     loss = physics.table_friction * physics.block_friction * physics.gravity * physics.time_step
     fastest = max((linear for linear, _ in speeds), default=0.0)
-    return min(max(1, int((fastest - physics.settle_speed) / loss)), _MAX_UNSEEN_STEPS)
+    num_steps = int((fastest - physics.settle_speed) / loss)
+    return min(max(num_steps, _MIN_UNSEEN_STEPS), _MAX_UNSEEN_STEPS)
 
 
 def _check(speeds: list[tuple[float, float]], max_speed: float) -> None:

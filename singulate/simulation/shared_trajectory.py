@@ -19,6 +19,9 @@ from singulate.simulation.scene import LEAD_STEPS, MAX_PUSHER_ERROR
 from singulate.simulation.settling import settle
 from singulate.simulation.world import Motion, World
 
+_CLOSE = 0.002
+"""A pusher that passes a block at more than this does not touch it, wherever it came from [m]."""
+
 _TREMBLE = 1e-5
 """What a block at rest moves or turns between two moments [m]; slower than 100 of it [1/s]."""
 
@@ -110,12 +113,13 @@ class SharedTrajectories:
         """Starts by the trajectory that they share, with the point where it may begin [m]."""
         half = self._physics.pusher_side / 2
         intervals = block_intervals(self._poses, line.start, line.direction, half + SWEEP_MARGIN)
+        close = block_intervals(self._poses, line.start, line.direction, half + _CLOSE)
         groups: dict[tuple[float, int], list[_Start]] = {}
         for start in sorted(starts, key=lambda start: start.offset):
             ahead = [first for first, last in intervals if last + half > start.offset]
             nearest = min(ahead, default=math.inf) - half
-            # A pusher that is lowered beside a block has a trajectory of its own.
-            is_beside = nearest < start.offset
+            # A pusher that is lowered close beside a block has a trajectory of its own.
+            is_beside = any(first - half < start.offset < last + half for first, last in close)
             key = (start.offset, start.push_index) if is_beside else (nearest, -1)
             groups.setdefault(key, []).append(start)
         return [(contact, group) for (contact, _), group in groups.items()]
