@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 DEFAULT_STEPS = 20_000
 NEW_RUN_OPTIONS = (
     "agent", "scenario", "seed", "observation", "action", "reward", "max_pushes",
-    "goal_separation", "checkpoint_every", "envs", "workers", "threads",
+    "goal_separation", "checkpoint_every", "envs", "threads",
     "settings", "dataset",
 )  # fmt: skip
 """Options that describe a new run, so they fit neither ``--config`` nor ``--resume``."""
@@ -87,6 +87,8 @@ def _resolve(args: argparse.Namespace) -> tuple[TrainingConfig, Path]:
         values = RunDirectory(args.resume).open().read_config()
         if args.steps is not None:
             values["total_timesteps"] = args.steps
+        if args.workers is not None:
+            values["num_workers"] = args.workers
         return TrainingConfig.from_dict(values), args.resume
     config = _config_of_file(args) if args.config is not None else _config_of_options(args)
     return config, args.run_dir or _new_run_dir(config)
@@ -101,7 +103,7 @@ def _refuse(args: argparse.Namespace, names: tuple[str, ...], beside: str) -> No
 
 
 def _config_of_file(args: argparse.Namespace) -> TrainingConfig:
-    _refuse(args, (*NEW_RUN_OPTIONS, "steps"), "--config")
+    _refuse(args, (*NEW_RUN_OPTIONS, "steps", "workers"), "--config")
     try:
         values = parse_json_object(args.config.read_bytes())
     except ValueError as error:

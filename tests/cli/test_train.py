@@ -20,7 +20,9 @@ def test_train_resume_and_evaluate(tmp_path: Path, capsys: pytest.CaptureFixture
     assert main(["train", *options, "--run-dir", run_dir, "--json"]) == 0
     first = json.loads(capsys.readouterr().out)
     assert (first["state"], first["num_steps"]) == ("finished", 20)
-    assert main(["train", "--resume", run_dir, "--steps", "30", "--json"]) == 0
+    resume = ("--resume", run_dir, "--steps", "30", "--workers", "0")
+    assert main(["train", *resume, "--json"]) == 0
+    assert RunDirectory(tmp_path / "run").read_config()["num_workers"] == 0
     second = json.loads(capsys.readouterr().out)
     assert second["checkpoint"].endswith("step-000000030")
 

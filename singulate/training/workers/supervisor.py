@@ -34,7 +34,7 @@ class WorkerLoss:
     Attributes:
         pid: Its process.
         reason: What became of it, one line.
-        env_index: Environment whose push was lost; None if it was lost before any push.
+        env_index: Environment whose push was lost; None if no push was, or with a worker before.
         episode_index: That environment's episode, which ends there.
     """
 
@@ -144,8 +144,8 @@ class Supervisor:
                 worker.ask(Restore(index, self.states[index]))
         unanswered = [self._pending[index] for index in env_indices if index in self._pending]
         first = unanswered[0] if unanswered else None
-        if isinstance(first, Act):
-            unanswered[0] = first._replace(loss=first.loss or reason)
+        if isinstance(first, Act) and not first.loss:
+            unanswered[0] = first._replace(loss=reason)
             episode_index = self.states[first.env_index].episode_index
             self.losses.append(WorkerLoss(lost.pid, reason, first.env_index, episode_index))
         else:

@@ -2,18 +2,26 @@
 
 import os
 import signal
+import subprocess
+import sys
+import threading
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+import psutil
 import pytest
 
+from singulate.envs import EnvConfig
 from singulate.runs import RunReader, read_status
+from singulate.training.episode_state import EpisodeState
 from singulate.training.session import Progress, TrainingSession
 from singulate.training.trainer import TrainingResult, train
-from singulate.training.workers.supervisor import WorkerError
+from singulate.training.workers.messages import Act, Acted, Restore, Settings
+from singulate.training.workers.supervisor import Supervisor, WorkerError
 from singulate.training.workers.worker_envs import WorkerEnvs
 
 HANG_ON_SIGNAL = """
@@ -105,6 +113,52 @@ def test_the_other_episodes_of_a_lost_worker_go_on_where_they_were(
     assert len(own) >= 5
 
 
+def test_a_push_is_lost_once_even_if_its_second_worker_dies_too() -> None:
+    states = [EpisodeState.initial(0, 1).after_reset()]
+    supervisor = Supervisor(Settings(EnvConfig("fixed-2"), 0), states, num_workers=1)
+    supervisor.request([Restore(0, states[0])])
+    supervisor.gather()
+    os.kill(supervisor.pids[0], signal.SIGKILL)
+    supervisor.request([Act(0, [0.0, 0.0, 0.0])])
+    threading.Thread(target=_kill_the_next, args=(supervisor, supervisor.pids[0])).start()
+    (answer,) = supervisor.gather()
+    supervisor.close()
+    assert isinstance(answer, Acted) and answer.info["TimeLimit.truncated"]
+    assert [loss.env_index for loss in supervisor.losses] == [0, None]
+
+
+def test_a_fault_of_an_environment_is_told_in_one_line(make_config: Any) -> None:
+    envs = WorkerEnvs(make_config("dqn", 10, num_envs=2), num_workers=1)
+    envs.reset()
+    with pytest.raises(WorkerError, match="InvalidValueError: action") as caught:
+        envs.step(np.array([0, 400]))
+    envs.close()
+    assert "\n" not in str(caught.value)
+
+
+ORPHANS = """
+import os, signal
+from singulate.envs import EnvConfig
+from singulate.training.config import TrainingConfig
+from singulate.training.workers.worker_envs import WorkerEnvs
+envs = WorkerEnvs(TrainingConfig("ppo", EnvConfig("fixed-2"), 10, num_envs=2), 2)
+envs.reset()
+print(*envs.pids, flush=True)
+os.kill(os.getpid(), signal.SIGKILL)
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="the kernel's help is Linux's")
+def test_workers_die_with_the_trainer() -> None:
+    done = subprocess.run([sys.executable, "-c", ORPHANS], capture_output=True, timeout=60)
+    workers = [int(pid) for pid in done.stdout.split()]
+    assert len(workers) == 2
+    deadline = time.monotonic() + 10.0
+    while not all(map(_has_ended, workers)):
+        assert time.monotonic() < deadline
+        time.sleep(0.02)
+
+
 def test_workers_that_cannot_live_end_the_training_in_one_line(
     tmp_path: Path, make_config: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -120,6 +174,20 @@ def _train(
     config: Any, directory: Path, on_progress: Callable[[Progress], None] | None = None
 ) -> TrainingResult:
     return train(config, directory / "run", on_progress=on_progress)
+
+
+def _kill_the_next(supervisor: Supervisor, pid: int) -> None:
+    while supervisor.pids[0] == pid:
+        time.sleep(0.001)
+    os.kill(supervisor.pids[0], signal.SIGKILL)
+
+
+def _has_ended(pid: int) -> bool:
+    """Whether it is dead and nobody has asked about it, or gone."""
+    try:
+        return psutil.Process(pid).status() == psutil.STATUS_ZOMBIE
+    except psutil.NoSuchProcess:
+        return True
 
 
 def _is_alive(pid: int) -> bool:
