@@ -1,8 +1,14 @@
 """What every test may use."""
 
+import os
+import secrets
 import time
 
 import pytest
+
+# Ray reads these when it is imported, which collecting its tests does.
+os.environ.setdefault("RAY_AUTH_MODE", "token")
+os.environ.setdefault("RAY_AUTH_TOKEN", secrets.token_hex(32))
 
 _LOOP = 300_000
 _LOOP_ON_A_CALM_MACHINE_S = 0.02

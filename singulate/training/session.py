@@ -179,6 +179,8 @@ class TrainingSession:
         directory = self.run.checkpoint_path(step)
         if step == self._checkpoint_step and directory.exists():
             return directory
+        with self._recording():  # no checkpoint may know of pushes that the record can still lose
+            self.telemetry.record.flush()
         manifest = Manifest(
             agent=self.config.agent,
             agent_config=self.config.agent_config,

@@ -37,6 +37,22 @@ def test_a_run_leaves_a_policy_a_record_and_event_files(tmp_path: Path, make_con
     assert load_policy(run.path).act(observation) == load_policy(result.checkpoint).act(observation)
 
 
+def test_a_checkpoint_knows_no_push_that_the_record_can_lose(
+    tmp_path: Path, make_config: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("singulate.runs.record.COMMIT_INTERVAL_S", 3600.0)
+    seen = []
+
+    def look(progress: Progress) -> None:
+        if progress.num_steps == 21:
+            reader = RunReader(tmp_path / "run")
+            seen.append(reader.last_step())
+            reader.close()
+
+    train(make_config("dqn", 22, checkpoint_every=20), tmp_path / "run", on_progress=look)
+    assert seen == [20]
+
+
 def test_old_checkpoints_are_removed(tmp_path: Path, make_config: Any) -> None:
     config = make_config("ppo", 64, checkpoint_every=16, num_checkpoints=2)
     result = train(config, tmp_path / "run")
