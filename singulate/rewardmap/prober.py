@@ -75,14 +75,17 @@ class Prober:
     def _try_line(self, poses: Poses, pushes: Sequence[Push]) -> list[dict[str, float]]:
         before = self.look(poses)
         self._task.restore(poses)
-        free = [i for i, push in enumerate(pushes) if not self._task.scene.is_blocked(push)]
-        terms = [self.idle_terms(poses, push, is_inside=True) for push in pushes]
+        is_blocked = [self._task.scene.is_blocked(push) for push in pushes]
+        terms = [
+            self.idle_terms(poses, push, is_inside=True) if blocked else dict.fromkeys(TERMS, 0.0)
+            for push, blocked in zip(pushes, is_blocked, strict=True)
+        ]
+        free = [i for i, blocked in enumerate(is_blocked) if not blocked]
         rest, after = poses, before
         for end in self._shared.ends([pushes[i] for i in free]) if free else ():
-            index = free[end.push_index]
             if end.poses is None:
-                terms[index] = dict.fromkeys(TERMS, 0.0)
-                continue
+                continue  # paid nothing
+            index = free[end.push_index]
             if end.poses is not rest:
                 self._task.restore(end.poses)
                 rest, after = end.poses, self._task.percept

@@ -33,19 +33,19 @@ def full_window(workspace: Workspace) -> PixelWindow:
 
 
 def window_of(poses: Poses, workspace: Workspace) -> PixelWindow | None:
-    """The smallest window that surely shows every block on the table; None without any."""
-    cells = [
-        workspace.xy_to_row_col(x + sign * reach, y - sign * reach)
-        for (x, y, _), reach in ((p.position, _REACH * p.side) for p in poses if not is_fallen(p))
-        for sign in (-1, 1)
-    ]
-    if not cells:
+    """A window that surely shows every block on the table; None without any."""
+    standing = [pose for pose in poses if not is_fallen(pose)]
+    if not standing:
         return None
-    rows, cols = zip(*cells, strict=True)
+    reach = _REACH * max(pose.side for pose in standing)
+    xs = [pose.position[0] for pose in standing]
+    ys = [pose.position[1] for pose in standing]
+    top, left = workspace.xy_to_row_col(min(xs) - reach, max(ys) + reach)
+    bottom, right = workspace.xy_to_row_col(max(xs) + reach, min(ys) - reach)
     size = workspace.image_size
     return PixelWindow(
-        top=max(min(rows) - _MARGIN_PX, 0),
-        bottom=min(max(rows) + 1 + _MARGIN_PX, size),
-        left=max(min(cols) - _MARGIN_PX, 0),
-        right=min(max(cols) + 1 + _MARGIN_PX, size),
+        top=max(top - _MARGIN_PX, 0),
+        bottom=min(bottom + 1 + _MARGIN_PX, size),
+        left=max(left - _MARGIN_PX, 0),
+        right=min(right + 1 + _MARGIN_PX, size),
     )
