@@ -15,9 +15,12 @@ from singulate.geometry import Poses, Push, Workspace
 from singulate.simulation.approach import block_intervals
 from singulate.simulation.footprint import SWEEP_MARGIN
 from singulate.simulation.physics import Physics
-from singulate.simulation.scene import LEAD_STEPS, MAX_PUSHER_ERROR
+from singulate.simulation.scene import MAX_PUSHER_ERROR
 from singulate.simulation.settling import settle
 from singulate.simulation.world import Motion, World
+
+_SETTLE_STEPS = 60
+"""Steps in which new blocks settle before the first push; a plain push approaches for as long."""
 
 _CLOSE = 0.002
 """A pusher that passes a block at more than this does not touch it, wherever it came from [m]."""
@@ -105,7 +108,7 @@ class SharedTrajectories:
     def _put_up(self) -> None:
         """Build the world of the pusher and let the blocks settle, as before any push."""
         self._pushing.build(self._poses)
-        for _ in range(LEAD_STEPS):
+        for _ in range(_SETTLE_STEPS):
             self._pushing.step()
         self._pushing.save()
 
