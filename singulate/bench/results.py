@@ -3,11 +3,14 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TypeVar
 
 import msgspec
 
 from singulate.bench.measurement import Measurement
 from singulate.exceptions import InvalidValueError
+
+ResultsT = TypeVar("ResultsT")
 
 
 @dataclass(frozen=True)
@@ -46,9 +49,23 @@ def read_results(path: Path) -> BenchResults:
         InvalidValueError: If it is no such file.
         OSError: If it cannot be read.
     """
+    return decode_file(path, BenchResults, "read", "singulate bench --json")
+
+
+def decode_file(path: Path, kind: type[ResultsT], key: str, command: str) -> ResultsT:
+    """Read a file that a command wrote as JSON.
+
+    Args:
+        path: The file.
+        kind: What it holds.
+        key: What the user calls it.
+        command: The command.
+
+    Raises:
+        InvalidValueError: If it is no such file.
+        OSError: If it cannot be read.
+    """
     try:
-        return msgspec.json.decode(path.read_bytes(), type=BenchResults)
+        return msgspec.json.decode(path.read_bytes(), type=kind)
     except msgspec.DecodeError as error:
-        raise InvalidValueError(
-            "read", str(path), f"the output of singulate bench --json ({error})"
-        ) from None
+        raise InvalidValueError(key, str(path), f"the output of {command} ({error})") from None

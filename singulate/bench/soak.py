@@ -14,6 +14,7 @@ from singulate.bench.machine import describe_machine
 from singulate.bench.maps import make_poses
 from singulate.bench.memory import own_memory, workers_memory
 from singulate.bench.pushes import make_env, touching_action, uniform_action
+from singulate.bench.results import decode_file
 from singulate.engine import EngineError, LocalEngine
 from singulate.envs.push_env import PushEnv
 from singulate.exceptions import InvalidValueError
@@ -124,12 +125,7 @@ def read_soak(path: Path) -> SoakResults:
         InvalidValueError: If it is no such file.
         OSError: If it cannot be read.
     """
-    try:
-        return msgspec.json.decode(path.read_bytes(), type=SoakResults)
-    except msgspec.DecodeError as error:
-        raise InvalidValueError(
-            "soak", str(path), f"the output of singulate soak --json ({error})"
-        ) from None
+    return decode_file(path, SoakResults, "soak", "singulate soak --json")
 
 
 def _soak(
