@@ -13,6 +13,7 @@ from singulate.agents.config_fields import config_from_dict
 from singulate.agents.dqn.config import DQNConfig
 from singulate.agents.policy import Policy
 from singulate.agents.ppo.config import PPOConfig
+from singulate.agents.spatial.config import SpatialConfig
 from singulate.exceptions import InvalidValueError
 
 if TYPE_CHECKING:
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 
     from singulate.envs import EnvConfig
 
-AgentConfig = DQNConfig | PPOConfig
+AgentConfig = DQNConfig | PPOConfig | SpatialConfig
 
 
 @dataclass(frozen=True)
@@ -72,6 +73,7 @@ class AgentKind:
 AGENTS: dict[str, AgentKind] = {
     "dqn": AgentKind("dqn", DQNConfig, ("grid",), "singulate.agents.dqn"),
     "ppo": AgentKind("ppo", PPOConfig, ("point", "start_end"), "singulate.agents.ppo"),
+    "spatial": AgentKind("spatial", SpatialConfig, ("point",), "singulate.agents.spatial"),
 }
 
 
