@@ -1,7 +1,7 @@
 """Names that the page offers; the server may not import the packages that define them."""
 
 USUAL_PUSHES = {"spatial": 2_000, "dqn": 20_000, "ppo": 60_000}
-"""Agents that can be trained, the one that learns fastest first, and how long each is by default."""
+"""Agents that can be trained, the fastest learner first, and their usual lengths of training."""
 
 AGENTS = tuple(USUAL_PUSHES)
 """Agents that can be trained."""
