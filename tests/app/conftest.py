@@ -87,9 +87,9 @@ def make_bench(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def untrained(tmp_path_factory):
-    """Untrained checkpoints of both agents, saved as a trainer saves them."""
+    """Untrained checkpoints of some agents, saved as a trainer saves them."""
     directory = tmp_path_factory.mktemp("checkpoints")
-    for agent, action in (("dqn", "grid"), ("ppo", "point")):
+    for agent, action in (("dqn", "grid"), ("ppo", "point"), ("spatial", "point")):
         env = EnvConfig(scenario="random-2", action=action)
         kind = agent_kind(agent)
         _, network = kind.build_policy(kind.make_config({}), env)
