@@ -1,6 +1,6 @@
 """Names that the page offers; the server may not import the packages that define them."""
 
-AGENTS = ("dqn", "ppo")
+AGENTS = ("dqn", "ppo", "multimodal-ppo")
 """Agents that can be trained."""
 
 SCENARIOS = (

@@ -8,7 +8,7 @@ from singulate.training.config import TrainingConfig
 
 @pytest.fixture
 def make_config() -> Any:
-    """Small, fast runs of either agent."""
+    """Small, fast runs of any agent."""
 
     def make(agent: str, total_timesteps: int, **changes: Any) -> TrainingConfig:
         if agent == "dqn":

@@ -15,6 +15,14 @@ DILATIONS = (1, 2, 4, 2)
 LOW_SCALE, HIGH_SCALE = 0.05, 1.5
 """Bounds of an offset's standard deviation, in halves of a cell: about 3 mm, and nearly uniform."""
 
+
+RAW_SCALE = 0.8
+"""What stands for the standard deviation of an untrained network: about 0.5 halves of a cell, small
+enough for its peak to be felt."""
+
+TRUNK_CELLS = 16
+"""Cells along each side that the convolutions see; each may stand for several cells of the head."""
+
 VALUE_WIDTH = 32
 """Hidden units of the value's head."""
 
@@ -50,7 +58,8 @@ class PushNet(nn.Module):
     ) -> None:
         super().__init__()
         self._scale = scale
-        pixels = image_size // num_cells
+        trunk_cells = min(num_cells, TRUNK_CELLS)
+        pixels = image_size // trunk_cells
         layers: list[nn.Module] = [nn.PixelUnshuffle(pixels)]
         channels = pixels**2
         for index, width in enumerate(widths):
@@ -59,7 +68,9 @@ class PushNet(nn.Module):
             layers += [nn.ReLU()]
             channels = width
         self.trunk = nn.Sequential(*layers)
-        self.push_head = nn.Conv2d(channels, 5, 1)
+        fine = num_cells // trunk_cells
+        self.push_head = nn.Conv2d(channels, 5 * fine**2, 1)
+        self._to_cells = nn.PixelShuffle(fine)
         self.value_hidden = nn.Linear(2 * channels, VALUE_WIDTH)
         self.value_out = nn.Linear(VALUE_WIDTH, 1)
         self._initialise()
@@ -69,7 +80,7 @@ class PushNet(nn.Module):
         batch = len(observations)
         images = turn_images(observations * self._scale)
         features = self.trunk(images.flatten(0, 1).unsqueeze(1))
-        heads = self.push_head(features)
+        heads = self._to_cells(self.push_head(features))
         by_choice = turn_back(_by_scene(heads, batch)).permute(0, 1, 3, 4, 2).flatten(1, 3)
         return PushMaps(
             by_choice[..., 0],
@@ -97,4 +108,4 @@ def _by_scene(maps: torch.Tensor, batch: int) -> torch.Tensor:
 
 def _bounded_scale(raw: torch.Tensor) -> torch.Tensor:
     low, high = math.log(LOW_SCALE), math.log(HIGH_SCALE)
-    return torch.exp(low + (high - low) * torch.sigmoid(raw + 2.0))
+    return torch.exp(low + (high - low) * torch.sigmoid(raw + RAW_SCALE))
