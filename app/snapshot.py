@@ -105,7 +105,7 @@ class PolicySnapshot:
 
     Attributes:
         label: Name and step, for people.
-        kind: Agent kind (``dqn``, ``ppo``).
+        kind: Agent kind (``dqn``, ``ppo``, ``spatial``).
         source: Checkpoint directory.
         num_steps: Training steps behind it.
         q_map: float32 (4, H, W), where this kind of agent has one.

@@ -19,7 +19,7 @@ class TrainingConfig:
     """A run's settings; two runs with equal settings are equal, bit for bit.
 
     Attributes:
-        agent: Kind of agent (``dqn``, ``ppo``).
+        agent: Kind of agent (``dqn``, ``ppo``, ``spatial``).
         env: The environment.
         total_timesteps: Pushes to train for.
         seed: Decides the network, all random choices and all scenes.

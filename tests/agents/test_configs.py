@@ -21,9 +21,9 @@ def test_both_agents_have_the_papers_network() -> None:
 
 @pytest.mark.parametrize("name", AGENTS)
 def test_settings_survive_json_like_values(name: str) -> None:
-    config = agent_kind(name).make_config({"net_arch": [8, 4], "gamma": 0.5})
+    config = agent_kind(name).make_config({"net_arch": [8, 4], "learning_rate": 0.5})
     assert config.net_arch == (8, 4)
-    assert config.gamma == 0.5
+    assert config.learning_rate == 0.5
 
 
 @pytest.mark.parametrize(
@@ -51,6 +51,10 @@ def test_settings_survive_json_like_values(name: str) -> None:
         ("multimodal-ppo", "batch_size", 100_000),
         ("multimodal-ppo", "ent_coef", -0.1),
         ("multimodal-ppo", "net_arch", [0]),
+        ("spatial", "net_arch", [8, 8, 8]),
+        ("spatial", "learning_starts", 0),
+        ("spatial", "average_decay", 1.5),
+        ("spatial", "gamma", 0.9),
     ],
 )
 def test_bad_settings_name_the_key(name: str, key: str, value: object) -> None:
@@ -59,5 +63,5 @@ def test_bad_settings_name_the_key(name: str, key: str, value: object) -> None:
 
 
 def test_unknown_agent_lists_the_known_ones() -> None:
-    with pytest.raises(InvalidValueError, match="dqn, ppo, multimodal-ppo"):
+    with pytest.raises(InvalidValueError, match="dqn, ppo, spatial, multimodal-ppo"):
         agent_kind("sac")

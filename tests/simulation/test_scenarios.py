@@ -67,8 +67,26 @@ def test_rows_of_two_and_three_take_one_push_and_others_one_for_each_block(name,
 
 
 @pytest.mark.parametrize(
-    "name", ["fixed-4", "random-1", "cluster-11", "random", "random-02", "", None]
+    "name",
+    ["fixed-4", "random-1", "cluster-11", "random", "random-02", "", None, "random-2+", "+"],
 )
 def test_an_unknown_scenario_is_refused_with_what_is_allowed(name):
     with pytest.raises(InvalidValueError, match=r"scenario: .* allowed: fixed-2\.\.3, random-2"):
         make_scenario(name)
+
+
+def test_a_mix_draws_scenes_of_all_its_parts_alike():
+    scenario = make_scenario("random-2+cluster-5")
+    layouts = [scenario.sample(np.random.default_rng(seed), WORKSPACE) for seed in range(200)]
+    sizes = [len(layout) for layout in layouts]
+    assert set(sizes) == {2, 5}
+    assert 0.35 < sizes.count(2) / len(sizes) < 0.65
+    assert scenario.name == "random-2+cluster-5"
+    assert scenario.num_blocks == 5
+    assert scenario.default_max_pushes == 5
+    assert make_scenario("random-2+random-3").default_max_pushes == 1
+
+
+def test_a_mix_is_of_a_few_scenarios():
+    with pytest.raises(InvalidValueError, match="a mix of at most 8 scenarios"):
+        make_scenario("+".join(["random-2"] * 9))

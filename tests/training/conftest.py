@@ -8,7 +8,7 @@ from singulate.training.config import TrainingConfig
 
 @pytest.fixture
 def make_config() -> Any:
-    """Small, fast runs of any agent."""
+    """Small, fast runs of every agent."""
 
     def make(agent: str, total_timesteps: int, **changes: Any) -> TrainingConfig:
         if agent == "dqn":
@@ -18,6 +18,9 @@ def make_config() -> Any:
                 "batch_size": 8,
                 "exploration_steps": 60,
             }
+        elif agent == "spatial":
+            env = EnvConfig("cluster-3", action="point")
+            settings = {"learning_starts": 10, "batch_size": 8, "exploration_steps": 60}
         else:
             env = EnvConfig("fixed-2", action="point")
             settings = {"n_steps": 16, "batch_size": 4}

@@ -11,10 +11,10 @@ from stable_baselines3.common.noise import ActionNoise
 from stable_baselines3.common.vec_env import VecEnv
 
 from singulate.agents.dqn.config import DQNConfig
-from singulate.agents.dqn.overlap import OverlappedSteps
 from singulate.agents.dqn.replay import SymmetricReplayBuffer
 from singulate.agents.dqn.update import gradient_step
 from singulate.agents.network import policy_arguments
+from singulate.agents.overlap import OverlappedSteps
 
 
 class GridDQN(DQN):

@@ -27,7 +27,7 @@ class Scenario:
 
     Attributes:
         name: As users write it, such as ``random-2``.
-        num_blocks: Blocks in every scene.
+        num_blocks: Blocks in every scene; in a mix, in the largest.
         default_max_pushes: Pushes an episode may take unless the user says otherwise.
     """
 

@@ -1,0 +1,61 @@
+import numpy as np
+import pytest
+
+from singulate.agents.policy import FloatMap, HasQMap
+from singulate.agents.spatial.config import SpatialConfig
+from singulate.agents.spatial.network import ValueNetwork
+from singulate.agents.spatial.policy import SpatialPolicy, build_policy
+from singulate.envs import EnvConfig
+from singulate.geometry import Direction, Push, Workspace
+
+
+@pytest.fixture
+def policy(network: ValueNetwork) -> SpatialPolicy:
+    policy = build_policy(SpatialConfig(net_arch=(8, 8)), EnvConfig("random-2"))
+    policy.network.load_state_dict(network.state_dict())
+    return policy
+
+
+def test_a_turned_scene_is_pushed_the_same_way(policy: SpatialPolicy, image: FloatMap) -> None:
+    push = policy.act(image)
+    turned = policy.act(np.rot90(image))  # counter-clockwise
+    assert turned.nearest_direction == Direction((push.nearest_direction - 1) % 4)
+    assert turned.start == pytest.approx((-push.start[1], push.start[0]), abs=1e-5)
+
+
+def test_starts_lie_on_no_grid(policy: SpatialPolicy, image: FloatMap) -> None:
+    pixels = np.array(policy.act(image).start) * 32 - 0.5
+    assert np.abs(pixels - np.rint(pixels)).max() > 0.01
+
+
+def test_the_map_holds_the_values_of_its_pixels(policy: SpatialPolicy, image: FloatMap) -> None:
+    assert isinstance(policy, HasQMap)
+    values = policy.q_map(image)
+    assert values.shape == (4, 64, 64)
+    assert values.dtype == np.float32
+    for direction, row, column in ((0, 40, 33), (1, 22, 5), (2, 0, 63), (3, 63, 0)):
+        start = Workspace().row_col_to_xy(row, column)
+        value = policy.predict_value(image, Push.cardinal(start, Direction(direction), 0.5))
+        assert value == pytest.approx(values[direction, row, column], rel=1e-4)
+
+
+def test_values_change_continuously_with_the_start(policy: SpatialPolicy, image: FloatMap) -> None:
+    starts = np.linspace(-0.2, 0.2, 200)
+    values = [policy.predict_value(image, Push((x, 0.0), (0.0, 1.0), 0.5)) for x in starts]
+    assert np.ptp(values) > 0.0
+    assert np.abs(np.diff(values)).max() < 0.2 * np.ptp(values)
+
+
+def test_it_explores_with_a_generator(policy: SpatialPolicy, image: FloatMap) -> None:
+    rng = np.random.default_rng(0)
+    greedy = policy.act(image)
+    others = sum(policy.act(image, rng) != greedy for _ in range(300))
+    assert 3 <= others <= 35
+
+
+def test_a_mask_is_worth_what_its_distance_map_is(
+    policy: SpatialPolicy, network: ValueNetwork, image: FloatMap
+) -> None:
+    other = build_policy(SpatialConfig(net_arch=(8, 8)), EnvConfig(observation="mask"))
+    other.network.load_state_dict(network.state_dict())
+    assert other.act((image < 0.0).astype(np.float32)) == policy.act(image)
