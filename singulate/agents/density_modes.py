@@ -52,7 +52,8 @@ def density_modes(
     """
     smooth = np.asarray(density, dtype=np.float64)
     if smoothing_px > 0.0:
-        smooth = cv2.GaussianBlur(smooth, (0, 0), smoothing_px, borderType=cv2.BORDER_REFLECT)
+        blurred = cv2.GaussianBlur(smooth, (0, 0), smoothing_px, borderType=cv2.BORDER_REFLECT)
+        smooth = np.asarray(blurred, dtype=np.float64)
     highest = float(smooth.max())
     if highest <= 0.0:
         return []

@@ -44,7 +44,7 @@ def test_seeds_that_do_not_arrive_come_last_in_the_median(
         _curve(*[0.5] * 4) if at is None else _curve(*[0.5] * (at - 1), 0.96) for at in arrivals
     ]
     never = [_curve(0.2)] * SEEDS
-    found = dict.fromkeys(("dqn", "ppo"), never) | {"ppo": curves}
+    found = dict.fromkeys(learning.MAX_PUSHES, never) | {"ppo": curves}
     monkeypatch.setattr(learning, "_curve", lambda agent, seed: found[agent][seed])
     measured = {m.name: m for m in learning.bench_learning(BenchOptions(num_seeds=SEEDS))}
     assert measured["ppo, pushes to 95%"].value == expected
