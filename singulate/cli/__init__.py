@@ -13,6 +13,7 @@ COMMANDS: dict[str, str] = {
     "app": "open the dashboard in a browser",
     "train": "train an agent",
     "evaluate": "success and rewards of a trained agent on unseen scenes",
+    "ceiling": "share of scenes that some push of a grid solves",
     "rewardmap": "true reward of every push on a scene",
     "dataset": "reward maps of many scenes, to learn from",
     "sweep": "train and evaluate every combination of agents, scenarios, settings and seeds",
