@@ -83,7 +83,7 @@ class SceneTask(NamedTuple):
     """One scene of a search, by its number; a task of an engine."""
 
     config: CeilingConfig
-    index: int
+    number: int
 
 
 def measure_ceiling(
@@ -116,7 +116,7 @@ def measure_ceiling(
 
 def is_solvable(prober: Prober, task: SceneTask) -> bool:
     """Whether some push solves a scene."""
-    poses = evaluation_poses(task.config, task.index)
+    poses = evaluation_poses(task.config, task.number)
     return winning_push(prober, poses, task.config.grid) is not None
 
 
