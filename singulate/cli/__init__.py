@@ -17,6 +17,7 @@ COMMANDS: dict[str, str] = {
     "rewardmap": "true reward of every push on a scene",
     "dataset": "reward maps of many scenes, to learn from",
     "sweep": "train and evaluate every combination of agents, scenarios, settings and seeds",
+    "reproduce": "the paper's figures, and a verdict on each of its claims",
     "runs": "list, show, steer, export and delete training runs",
     "bench": "measure speeds on this machine",
     "soak": "memory of one process over many pushes and reward maps",

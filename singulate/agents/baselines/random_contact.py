@@ -77,7 +77,6 @@ def _covers(
     points: npt.NDArray[np.float64],
 ) -> npt.NDArray[np.bool_]:
     """Which upright boxes, (N, 2) and (N, 2) [m], hold any of the points, (K, 2) [m]."""
-    inside: npt.NDArray[np.bool_] = (
-        np.abs(points - centres[:, None]) <= halves[:, None]
-    )  # (N, K, 2)
-    return np.any(np.all(inside, axis=2), axis=1)
+    inside: npt.NDArray[np.bool_] = np.abs(points - centres[:, None]) <= halves[:, None]
+    covered: npt.NDArray[np.bool_] = np.any(np.all(inside, axis=2), axis=1)  # of (N, K, 2)
+    return covered

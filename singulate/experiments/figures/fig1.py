@@ -36,10 +36,12 @@ def draw(data: Data) -> "Figure":
     distances = np.array(data["distance_map_px"])
     draw_map(panels[0], np.array(data["rgb"], np.uint8), (0, 255))
     draw_map(panels[1], data["mask"], (0, 1), cmap="gray")
-    image = draw_map(panels[2], distances, (-1.0, distances.max()))
+    outside = np.ma.masked_less(distances, 0.0)
+    panels[2].set_facecolor("white")
+    image = draw_map(panels[2], outside, (0.0, distances.max()))
     for panel, title in zip(panels, ("camera", "binary mask", "distance map"), strict=True):
         quiet_map(panel, title)
-    colour_bar(figure, image, panels[2:], "px (\N{MINUS SIGN}1 inside)")
+    colour_bar(figure, image, panels[2:], "px (white: inside, \N{MINUS SIGN}1)")
     return figure
 
 

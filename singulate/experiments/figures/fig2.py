@@ -42,7 +42,7 @@ def measure(sources: Sources) -> Data:
 
 def draw(data: Data) -> "Figure":
     """One scene a row, one direction a column, one scale for all."""
-    figure, panels = new_figure(len(data["scenes"]), 4, 4.0)
+    figure, panels = new_figure(len(data["scenes"]), 4, 3.35)
     limits = [np.array(scene["rewards"]) for scene in data["scenes"]]
     low, high = min(r.min() for r in limits), max(r.max() for r in limits)
     for row, scene in enumerate(data["scenes"]):

@@ -3,6 +3,7 @@
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import numpy.typing as npt
 
 from singulate.agents.policy import HasQMap
 from singulate.envs.push_task import PushTask
@@ -34,7 +35,8 @@ def measure(sources: Sources) -> Data | None:
     variant = VARIANTS[VARIANT]
     layout = make_scenario(variant.env.scenario).sample(np.random.default_rng(0), Workspace())
     poses = tuple(standing_pose(block) for block in layout)
-    seeds, truth = [], np.empty(0)
+    seeds: list[Any] = []
+    truth: npt.NDArray[np.float32] = np.empty(0, np.float32)
     for cell in variant.cells(sources.plan):
         if sources.store.read(cell) is None:
             continue
@@ -56,7 +58,7 @@ def measure(sources: Sources) -> Data | None:
 def draw(data: Data) -> "Figure":
     """The first seed's values above, the true rewards below."""
     first = data["seeds"][0]
-    figure, panels = new_figure(2, 4, 4.0)
+    figure, panels = new_figure(2, 4, 3.35)
     rows = {f"Q, {first['num_steps']:,} pushes": first["q_map"], "true reward": data["rewards"]}
     high = max(np.array(first["q_map"]).max(), np.array(data["rewards"]).max())
     low = min(np.array(first["q_map"]).min(), np.array(data["rewards"]).min())

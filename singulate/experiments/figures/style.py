@@ -87,7 +87,7 @@ def draw_map(panel: "Axes", values: Any, limits: tuple[float, float], **options:
     """A map of the table in metres; row 0 is +y."""
     half = Workspace().half_length
     return panel.imshow(
-        np.asarray(values),
+        np.asanyarray(values),
         extent=(-half, half, -half, half),
         vmin=limits[0],
         vmax=limits[1],
