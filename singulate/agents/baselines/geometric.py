@@ -8,7 +8,7 @@ that one side slides past the other.
 import numpy as np
 import numpy.typing as npt
 
-from singulate.agents.baselines.observed_mask import mask_of
+from singulate.agents.baselines.observed_mask import boxes_with_points, mask_of, object_points
 from singulate.agents.baselines.presumed_blocks import PresumedBlock, presume_blocks
 from singulate.agents.policy import FloatMap
 from singulate.geometry import Direction, Push, Workspace
@@ -18,6 +18,8 @@ START_CLEARANCE = 0.05
 """Between the pusher and the block that it is to push [m]; more than a pixel of 31 mm."""
 NEIGHBOUR_GAP = 0.1
 """Blocks closer than this are neighbours that have to be parted: d_goal of Eq. 2 [m]."""
+BLOCKED_START = 16.0
+"""What a start on an object costs: more than all else together."""
 
 Candidate = tuple[float, Push]
 """How good a push looks, and the push."""
@@ -42,12 +44,16 @@ class GeometricPolicy:
 
     def act(self, observation: FloatMap, rng: np.random.Generator | None = None) -> Push:
         """The push along a boundary that looks best; the generator has no effect."""
-        blocks = presume_blocks(mask_of(observation, self.observation))
+        mask = mask_of(observation, self.observation)
+        blocks = presume_blocks(mask)
+        if not blocks:
+            return Push.cardinal((0.0, 0.0), Direction.UP, self.workspace.push_length)
         candidates = [
             self._candidate(block, blocks, direction) for block in blocks for direction in Direction
         ]
-        idle = Push.cardinal((0.0, 0.0), Direction.UP, self.workspace.push_length)
-        return max(candidates, key=lambda candidate: candidate[0], default=(0.0, idle))[1]
+        scores = np.array([score for score, _ in candidates])
+        scores -= BLOCKED_START * self._are_blocked([push for _, push in candidates], mask)
+        return candidates[int(scores.argmax())][1]
 
     def predict_value(self, observation: FloatMap, push: Push) -> float | None:
         """None: it expects nothing."""
@@ -74,11 +80,20 @@ class GeometricPolicy:
                 num_sides += is_near and is_aside
                 num_ahead += is_near and not is_aside and along > 0.0
                 num_behind += is_near and not is_aside and along < 0.0
-        outside = max(0.0, float(np.abs([start, end]).max()) - workspace.half_length)
-        score = num_sides - 2.0 * num_ahead - 4.0 * num_behind - 8.0 * (outside > 0.0)
+        is_outside = float(np.abs([start, end]).max()) > workspace.half_length
+        score = num_sides - 2.0 * num_ahead - 4.0 * num_behind - 8.0 * is_outside
         score -= 0.1 * float(np.linalg.norm(end))
         push = Push.cardinal((float(start[0]), float(start[1])), direction, workspace.push_length)
         return score, push
+
+    def _are_blocked(
+        self, pushes: list[Push], mask: npt.NDArray[np.bool_]
+    ) -> npt.NDArray[np.bool_]:
+        """Which pushes start on an object, (N,)."""
+        starts = np.array([push.start for push in pushes])
+        pixel = self.workspace.metres_per_pixel
+        half = np.full_like(starts, (self._pusher_side + pixel) / 2)  # a pixel's edge counts
+        return boxes_with_points(starts, half, object_points(mask, pixel))
 
     @staticmethod
     def _relative(

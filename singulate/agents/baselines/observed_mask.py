@@ -24,3 +24,20 @@ def object_points(mask: npt.NDArray[np.bool_], metres_per_pixel: float) -> npt.N
     x = (cols + 0.5 - width / 2) * metres_per_pixel
     y = (height / 2 - rows - 0.5) * metres_per_pixel
     return np.stack([x, y], axis=1)
+
+
+def boxes_with_points(
+    centres: npt.NDArray[np.float64],
+    halves: npt.NDArray[np.float64],
+    points: npt.NDArray[np.float64],
+) -> npt.NDArray[np.bool_]:
+    """Which upright boxes hold a point, (N,).
+
+    Args:
+        centres: (N, 2) [m].
+        halves: Half their sizes, (N, 2) [m].
+        points: (K, 2) [m].
+    """
+    inside: npt.NDArray[np.bool_] = np.abs(points - centres[:, None]) <= halves[:, None]
+    covered: npt.NDArray[np.bool_] = np.any(np.all(inside, axis=2), axis=1)  # of (N, K, 2)
+    return covered

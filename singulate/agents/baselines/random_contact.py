@@ -3,7 +3,7 @@
 import numpy as np
 import numpy.typing as npt
 
-from singulate.agents.baselines.observed_mask import mask_of, object_points
+from singulate.agents.baselines.observed_mask import boxes_with_points, mask_of, object_points
 from singulate.agents.policy import FloatMap
 from singulate.exceptions import InvalidValueError
 from singulate.geometry import Direction, Push, Workspace
@@ -66,17 +66,6 @@ class RandomContactPolicy:
         """Which pushes start freely and sweep over an object's pixel, (N,)."""
         half = (self._pusher_side + self.workspace.metres_per_pixel) / 2  # a pixel's edge counts
         reach = _VECTORS[directions] * self.workspace.push_length / 2  # (N, 2)
-        at_start = _covers(starts, np.full_like(starts, half), points)
-        swept = _covers(starts + reach, np.abs(reach) + half, points)
+        at_start = boxes_with_points(starts, np.full_like(starts, half), points)
+        swept = boxes_with_points(starts + reach, np.abs(reach) + half, points)
         return swept & ~at_start
-
-
-def _covers(
-    centres: npt.NDArray[np.float64],
-    halves: npt.NDArray[np.float64],
-    points: npt.NDArray[np.float64],
-) -> npt.NDArray[np.bool_]:
-    """Which upright boxes, (N, 2) and (N, 2) [m], hold any of the points, (K, 2) [m]."""
-    inside: npt.NDArray[np.bool_] = np.abs(points - centres[:, None]) <= halves[:, None]
-    covered: npt.NDArray[np.bool_] = np.any(np.all(inside, axis=2), axis=1)  # of (N, K, 2)
-    return covered
