@@ -10,6 +10,7 @@ from singulate.experiments.figures.style import (
     SMALL,
     draw_band,
     new_figure,
+    note_seeds,
     quiet_axes,
 )
 from singulate.experiments.figures.summaries import summarise
@@ -26,6 +27,8 @@ COMPARISONS = {
 }
 """By what is compared: the baseline's variant, and names of proposed and baseline."""
 VARIANTS = (PROPOSED, *(variant for variant, _, _ in COMPARISONS.values()))
+LEGEND_ROOM = 1.35
+"""Height of the upper row against its curves."""
 ROWS = {"reward": "reward by Eq. 7", "success": "success"}
 
 
@@ -50,10 +53,9 @@ def draw(data: Data) -> "Figure":
             else:
                 panel.set_xlabel("pushes (thousands)", fontsize=SMALL)
         panels[3 * row].set_ylabel(label, fontsize=NORMAL)
-    num_seeds = min(len(runs[variant]) for variant in VARIANTS)
-    figure.supxlabel(
-        f"PPO on fixed-2, median and range over {num_seeds} seeds", fontsize=SMALL, color="0.35"
-    )
+    panels[0].set_ylim(0.0, LEGEND_ROOM * panels[0].get_ylim()[1])
+    panels[3].set_ylim(0.0, 1.0)
+    note_seeds(figure, "PPO on fixed-2", min(len(runs[variant]) for variant in VARIANTS))
     return figure
 
 

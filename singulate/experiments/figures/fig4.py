@@ -11,6 +11,7 @@ from singulate.experiments.figures.style import (
     SMALL,
     draw_band,
     new_figure,
+    note_seeds,
     quiet_axes,
 )
 from singulate.experiments.figures.summaries import summarise
@@ -49,7 +50,8 @@ def draw(data: Data) -> "Figure":
         panel.set_ylabel(label, fontsize=NORMAL)
         if longest > data["num_pretraining_pushes"]:
             panel.axvline(data["num_pretraining_pushes"] / 1000.0, color="0.4", lw=0.8, ls=":")
-    num_seeds = min(len(runs[variant]) for variant in LINES)
+    panels[0].set_ylim(bottom=0.0)
+    panels[1].set_ylim(0.0, 1.0)
     figure.legend(
         *panels[0].get_legend_handles_labels(),
         loc="outside upper center",
@@ -57,11 +59,8 @@ def draw(data: Data) -> "Figure":
         frameon=False,
         fontsize=SMALL,
     )
-    figure.supxlabel(
-        f"PPO on fixed-2, median and range over {num_seeds} seeds; dotted: pretraining ends",
-        fontsize=SMALL,
-        color="0.35",
-    )
+    num_seeds = min(len(runs[variant]) for variant in LINES)
+    note_seeds(figure, "PPO on fixed-2", num_seeds, "; dotted: pretraining ends")
     return figure
 
 

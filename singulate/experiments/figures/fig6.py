@@ -83,7 +83,7 @@ def draw(data: Data) -> "Figure":
             draw_blocks(panel, data["blocks"], colour="0.2")
             quiet_map(panel, f"{moment['step']:,} pushes" if row == 0 else "")
         panels[NUM_MOMENTS * row].set_ylabel(f"seed {seed['seed']}", fontsize=NORMAL)
-    colour_bar(figure, image, panels, "starts, root of the share of the fullest cell")
+    colour_bar(figure, image, panels, "starts in a cell, root scale")
     return figure
 
 

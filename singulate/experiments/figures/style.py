@@ -75,6 +75,12 @@ def draw_band(panel: "Axes", steps: Any, values: Any, colour: str, label: str) -
     )
 
 
+def note_seeds(figure: "Figure", text: str, num_seeds: int, more: str = "") -> None:
+    """Say below a figure of curves what they are of, and of how many seeds."""
+    seeds = f"median and range over {num_seeds} seeds" if num_seeds > 1 else "one seed"
+    figure.supxlabel(f"{text}, {seeds}{more}", fontsize=SMALL, color="0.35")
+
+
 def quiet_map(panel: "Axes", title: str = "") -> None:
     """Axes for pictures of the table: no ticks."""
     panel.set_title(title, fontsize=NORMAL)
