@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from singulate.agents.config_fields import config_from_dict
 from singulate.agents.dqn.config import DQNConfig
+from singulate.agents.multimodal_ppo.config import MultimodalPPOConfig
 from singulate.agents.policy import Policy
 from singulate.agents.ppo.config import PPOConfig
 from singulate.agents.spatial.config import SpatialConfig
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
 
     from singulate.envs import EnvConfig
 
-AgentConfig = DQNConfig | PPOConfig | SpatialConfig
+AgentConfig = DQNConfig | PPOConfig | SpatialConfig | MultimodalPPOConfig
 
 
 @dataclass(frozen=True)
@@ -74,6 +75,9 @@ AGENTS: dict[str, AgentKind] = {
     "dqn": AgentKind("dqn", DQNConfig, ("grid",), "singulate.agents.dqn"),
     "ppo": AgentKind("ppo", PPOConfig, ("point", "start_end"), "singulate.agents.ppo"),
     "spatial": AgentKind("spatial", SpatialConfig, ("point",), "singulate.agents.spatial"),
+    "multimodal-ppo": AgentKind(
+        "multimodal-ppo", MultimodalPPOConfig, ("point",), "singulate.agents.multimodal_ppo"
+    ),
 }
 
 

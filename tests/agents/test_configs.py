@@ -43,6 +43,14 @@ def test_settings_survive_json_like_values(name: str) -> None:
         ("ppo", "batch_size", 4096),
         ("ppo", "gamma", math.inf),
         ("ppo", "speed", 3),
+        ("multimodal-ppo", "learning_rate", -1.0),
+        ("multimodal-ppo", "final_learning_rate", math.nan),
+        ("multimodal-ppo", "anneal_steps", 0),
+        ("multimodal-ppo", "num_cells", 10),
+        ("multimodal-ppo", "num_cells", True),
+        ("multimodal-ppo", "batch_size", 100_000),
+        ("multimodal-ppo", "ent_coef", -0.1),
+        ("multimodal-ppo", "net_arch", [0]),
         ("spatial", "net_arch", [8, 8, 8]),
         ("spatial", "learning_starts", 0),
         ("spatial", "average_decay", 1.5),
@@ -55,5 +63,5 @@ def test_bad_settings_name_the_key(name: str, key: str, value: object) -> None:
 
 
 def test_unknown_agent_lists_the_known_ones() -> None:
-    with pytest.raises(InvalidValueError, match="dqn, ppo"):
+    with pytest.raises(InvalidValueError, match="dqn, ppo, spatial, multimodal-ppo"):
         agent_kind("sac")

@@ -11,6 +11,7 @@ from singulate.geometry import Direction, Push
 CONFIGS = {
     "dqn": EnvConfig("random-2", action="grid"),
     "ppo": EnvConfig("random-2", observation="mask", action="point"),
+    "multimodal-ppo": EnvConfig("random-2", action="point"),
 }
 
 

@@ -12,7 +12,7 @@ from singulate.training.trainer import train
 from singulate.training.training_state import STATE_FILE, TENSORS_FILE
 
 
-@pytest.mark.parametrize("agent", ["dqn", "ppo", "spatial"])
+@pytest.mark.parametrize("agent", ["dqn", "ppo", "spatial", "multimodal-ppo"])
 def test_a_run_continued_in_a_new_process_equals_one_that_never_stopped(
     agent: str, tmp_path: Path, make_config: Any
 ) -> None:

@@ -1,0 +1,88 @@
+from collections.abc import Iterator
+
+import gymnasium as gym
+import numpy as np
+import pytest
+import torch
+from stable_baselines3.common.logger import Logger
+from stable_baselines3.common.vec_env import DummyVecEnv
+
+from singulate.agents.multimodal_ppo.config import MultimodalPPOConfig
+from singulate.agents.multimodal_ppo.model import MultimodalPPO, build_model
+
+SIDES = ((-0.5, 0.1, 0), (0.6, -0.3, 3))
+"""Two pushes, x / l, y / l and direction, that pay alike."""
+
+
+class TwoTargets(gym.Env[np.ndarray, np.ndarray]):
+    """One push an episode; it pays near either of two very different pushes."""
+
+    observation_space = gym.spaces.Box(-1.0, 91.0, (64, 64), np.float32)
+    action_space = gym.spaces.Box(-1.0, 1.0, (3,), np.float32)
+
+    def reset(self, *, seed: int | None = None, options: object = None):  # type: ignore[no-untyped-def]
+        rows, cols = np.mgrid[0:64, 0:64]
+        self._seen = np.hypot(rows - 20.0, cols - 40.0).astype(np.float32)
+        return self._seen, {}
+
+    def step(self, action: np.ndarray):  # type: ignore[no-untyped-def]
+        x, y, c = (float(value) for value in action)
+        direction = min(int((c + 1) * 2), 3)
+        pays = [
+            direction == side[2] and max(abs(x - side[0]), abs(y - side[1])) < 0.25
+            for side in SIDES
+        ]
+        return self._seen, float(any(pays)), True, False, {}
+
+
+@pytest.fixture
+def make_model() -> Iterator[object]:
+    models: list[MultimodalPPO] = []
+
+    def make(**settings: object) -> MultimodalPPO:
+        values = {"net_arch": (8, 8), "num_cells": 8, "n_steps": 128, "batch_size": 32}
+        config = MultimodalPPOConfig(**(values | settings))  # type: ignore[arg-type]
+        model = build_model(config, DummyVecEnv([TwoTargets]), "distance_map", seed=0)
+        model.set_logger(Logger(folder=None, output_formats=[]))
+        models.append(model)
+        return model
+
+    torch.set_num_threads(1)
+    yield make
+
+
+def test_it_learns_both_of_two_pushes_that_pay(make_model) -> None:  # type: ignore[no-untyped-def]
+    """A Gaussian could cover one of them, or the useless middle."""
+    model = make_model(learning_rate=3e-3, anneal_steps=4000, clip_range=0.3)
+    model.learn(4000)
+    observation = torch.as_tensor(model.get_env().reset())
+    distribution = model.policy.get_distribution(observation.expand(2000, -1, -1))
+    pushes = distribution.sample()
+    direction = ((pushes[:, 2] + 1) * 2).long()
+    for x, y, side in SIDES:
+        near = (pushes[:, :2] - torch.tensor([x, y])).abs().amax(dim=1) < 0.25
+        assert (near & (direction == side)).float().mean() > 0.2
+
+
+def test_schedules_depend_on_the_pushes_alone(make_model) -> None:  # type: ignore[no-untyped-def]
+    settings = {
+        "learning_rate": 1e-3, "final_learning_rate": 1e-4,
+        "ent_coef": 0.02, "final_ent_coef": 0.01, "anneal_steps": 256,
+    }  # fmt: skip
+    model = make_model(**settings)
+    model.learn(128)
+    assert model.logger.name_to_value["train/learning_rate"] == pytest.approx(5.5e-4)
+    assert model.ent_coef == pytest.approx(0.015)
+    model.learn(384, reset_num_timesteps=False)
+    assert model.policy.optimizer.param_groups[0]["lr"] == pytest.approx(1e-4)
+    assert model.ent_coef == pytest.approx(0.01)
+
+
+def test_rollouts_hold_the_densities_that_an_update_starts_from(make_model) -> None:  # type: ignore[no-untyped-def]
+    """So the first ratio of new to old density is one, as PPO requires."""
+    model = make_model(n_epochs=1, batch_size=128, learning_rate=1e-9, final_learning_rate=0.0)
+    model.learn(128)
+    buffer = model.rollout_buffer
+    batch = next(buffer.get(128))
+    _, log_prob, _ = model.policy.evaluate_actions(batch.observations, batch.actions)
+    assert torch.allclose(log_prob, batch.old_log_prob, atol=2e-3)

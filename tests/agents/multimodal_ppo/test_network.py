@@ -1,0 +1,52 @@
+import torch
+
+from singulate.agents.multimodal_ppo.cells import PushCells
+from singulate.agents.multimodal_ppo.distribution import PushDistribution
+from singulate.agents.multimodal_ppo.network import HIGH_SCALE, LOW_SCALE, PushMaps, PushNet
+
+
+def _net() -> PushNet:
+    torch.manual_seed(0)
+    net = PushNet(64, 16, (8, 8), 1 / 16)
+    for parameter in net.parameters():  # far from the careful initialisation
+        torch.nn.init.normal_(parameter, std=0.3)
+    return net.eval()
+
+
+def _distribution(maps: PushMaps) -> PushDistribution:
+    return PushDistribution(PushCells(16)).proba_distribution(
+        maps.logits, maps.location, maps.scale
+    )
+
+
+def test_shapes_and_bounds() -> None:
+    maps = _net()(torch.rand(3, 64, 64) * 60)
+    assert maps.logits.shape == (3, 1024)
+    assert maps.location.shape == maps.scale.shape == (3, 1024, 2)
+    assert maps.values.shape == (3, 1)
+    assert maps.location.abs().max() <= 1.0
+    assert maps.scale.min() >= LOW_SCALE - 1e-6
+    assert maps.scale.max() <= HIGH_SCALE + 1e-6
+
+
+def test_turning_the_table_turns_the_policy() -> None:
+    """Densities of pushes turned along are equal, and so are values."""
+    net, observation = _net(), torch.rand(1, 64, 64) * 60
+    actions = torch.rand(500, 3) * 2 - 1
+    x, y, c = actions.unbind(1)
+    turned_actions = torch.stack([-y, x, torch.where(c < -0.5, c + 1.5, c - 0.5)], dim=1)
+    with torch.no_grad():
+        straight = net(observation.expand(500, -1, -1))
+        turned = net(torch.rot90(observation, 1, (1, 2)).expand(500, -1, -1))
+    before = _distribution(straight).log_prob(actions)
+    after = _distribution(turned).log_prob(turned_actions)
+    assert torch.allclose(before, after, atol=1e-3)
+    assert before.std() > 0.1
+    assert torch.allclose(straight.values, turned.values, atol=1e-4)
+
+
+def test_an_untrained_policy_is_nearly_uniform() -> None:
+    torch.manual_seed(0)
+    maps = PushNet(64, 16, (16, 16, 16), 1 / 16)(torch.rand(2, 64, 64) * 60)
+    entropy = _distribution(maps).entropy()
+    assert (entropy > 2.6).all()  # the largest is log 16 = 2.77
