@@ -58,6 +58,9 @@ def test_a_ppo_has_a_density_of_starts_and_no_q_map(bench, untrained):
     bench.laboratory.set_wanted_fields({"q_map", "start_density"})
     load(bench, untrained / "ppo-untrained")
     policy = bench.until(lambda s: s.policy.start_density is not None).policy
+    density = policy.start_density
+    assert all(density[mode] > np.median(density) for mode in policy.start_modes)
+    assert policy.start_modes
     assert policy.q_map is None
     assert policy.start_density.shape == (64, 64)
     assert policy.start_density.sum() == pytest.approx(1.0, abs=1e-3)
