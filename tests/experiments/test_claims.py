@@ -166,7 +166,7 @@ def test_the_table_says_what_the_json_says(tmp_path: Path) -> None:
     saved = json.loads((tmp_path / "claims.json").read_text())
     assert [row["verdict"] for row in saved["claims"]] == [claim.verdict for claim in claims]
     assert "success: 0.6 (0.5 to 0.7, 3 seeds)" in page
-    assert "| ppo-random-2 | - | none yet | - |" in page
+    assert "| ppo-random-2 | paper | - | none yet | - |" in page
     assert "| random-3 | 1,000 | 83.0% (82.0% to 84.0%) |" in page
     assert page.count("**not measured**") == len(claims) - 1
 
