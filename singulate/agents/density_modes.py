@@ -50,9 +50,9 @@ def density_modes(
     Returns:
         Modes, the most prominent first; none where the density is 0 everywhere.
     """
-    smooth = np.asarray(density, dtype=np.float64)
+    smooth = density.astype(np.float64)
     if smoothing_px > 0.0:
-        smooth = cv2.GaussianBlur(smooth, (0, 0), smoothing_px, borderType=cv2.BORDER_REFLECT)
+        cv2.GaussianBlur(smooth, (0, 0), smoothing_px, smooth, borderType=cv2.BORDER_REFLECT)
     highest = float(smooth.max())
     if highest <= 0.0:
         return []
