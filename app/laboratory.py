@@ -19,9 +19,11 @@ from app.commands import (
     SetScenePaused,
     SetSpeed,
     SetWatching,
+    StartTraining,
     StepScene,
     Undo,
 )
+from app.following import Following
 from app.links.policy_link import PolicyLink
 from app.links.reward_map_link import RewardMapLink
 from app.links.scene_link import SceneLink
@@ -86,6 +88,7 @@ class Laboratory:
         self._scene = SceneLink(scenario, seed, self._notices, self._news.set)
         self._policy = PolicyLink(self._notices, self._news.set)
         self._reward_maps = RewardMapLink(workers, self._notices, self._news.set)
+        self._following = Following(self._policy, self._training)
         self._pushing = Pushing(self._scene, self._policy, self._notices)
         if (checkpoints / FIRST_POLICY).is_dir():
             self._policy.load(str(checkpoints / FIRST_POLICY))
@@ -129,7 +132,7 @@ class Laboratory:
             is_dragged=self._scene.is_held,
         )
         self._training.update()
-        self._follow_run()
+        self._following.update()
         return Snapshot(
             scene=self._view.snapshot(
                 self._scene.live, rest, self._pushing.last_push, self._watching.is_on
@@ -194,11 +197,11 @@ class Laboratory:
             case SetWatching(is_on):
                 self._set_watching(is_on)
             case LoadPolicy(source):
-                self._load_policy(source)
+                self._following.choose(source)
             case DismissNotice(notice_id):
                 self._notices.dismiss(notice_id)
             case _:
-                self._training.obey(command)
+                self._train(command)
 
     def _set_speed(self, factor: float) -> None:
         low, high = SPEED_RANGE
@@ -211,21 +214,11 @@ class Laboratory:
             raise InvalidValueError("watching", is_on, "a loaded policy first: load or train one")
         self._watching.switch(bool(is_on))
 
-    def _load_policy(self, source: str) -> None:
-        if source != "run":
-            self._policy.load(source)
-            return
+    def _train(self, command: Command) -> None:
         run = self._training.snapshot
-        if run is None or not run.last_checkpoint:
-            raise InvalidValueError(
-                "policy", "run", "a watched run with a checkpoint: save one, or wait for one"
-            )
-        self._policy.load(run.last_checkpoint, is_live=True)
-
-    def _follow_run(self) -> None:
-        run = self._training.snapshot
-        if self._policy.is_live and run is not None and run.last_checkpoint:
-            self._policy.load(run.last_checkpoint, is_live=True)
+        self._training.obey(command)
+        if isinstance(command, StartTraining):
+            self._following.expect_new_run(run.run_dir if run else "")
 
     def _watch(self) -> None:
         live, rest = self._scene.live, self._scene.rest

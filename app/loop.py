@@ -52,7 +52,7 @@ class Dashboard:
         self._num_visitors = 0
         set_initial_camera(server, self._workspace)
         add_lights(server.scene)
-        self._blocks = BlocksView(server.scene, self._workspace, self._drag_block)
+        self._blocks = BlocksView(server.scene, self._drag_block)
         self._pusher = PusherView(server.scene)
         server.on_client_connect(self._arrive)
         server.on_client_disconnect(self._leave)

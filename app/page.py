@@ -19,6 +19,7 @@ from app.panels.help import HELP_TEXT
 from app.panels.interact import InteractPanel
 from app.panels.marked_choice import add_switch
 from app.panels.notices import NoticesView
+from app.panels.paper import PaperPanel
 from app.panels.run import RunPanel
 from app.panels.secondary import SecondaryButtons
 from app.panels.starts import StartsPanel
@@ -89,6 +90,8 @@ class ClientPage:
             self._training = TrainingPanel(self._context)
         with panel.add_tab("Starts"):
             self._starts = StartsPanel(self._context)
+        with panel.add_tab("Paper"):
+            PaperPanel(self._context)
         panel.dock_right()
         panel.set_width(RIGHT_WIDTH)
 

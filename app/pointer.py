@@ -72,7 +72,7 @@ class Pointer:
     def __init__(
         self,
         client: viser.ClientHandle,
-        top: viser.BoxHandle,
+        top: viser.ImageHandle,
         workspace: Workspace,
         actions: PointerActions,
     ) -> None:
@@ -92,7 +92,7 @@ class Pointer:
         if point is not None and self._workspace.contains(*point):
             self._actions.click(point)
 
-    async def _on_drag(self, event: viser.SceneNodeDragEvent[viser.BoxHandle]) -> None:
+    async def _on_drag(self, event: viser.SceneNodeDragEvent[viser.ImageHandle]) -> None:
         if event.phase == "start":
             self._drag_start = event.start_position[:2]
         end = seen_at(self._client, event.end_position)

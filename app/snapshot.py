@@ -110,6 +110,7 @@ class PolicySnapshot:
         num_steps: Training steps behind it.
         q_map: float32 (4, H, W), where this kind of agent has one.
         start_density: float32 (H, W) summing to 1, where this kind has one.
+        start_modes: Cells (row, column) at which it has a mode, the most prominent first.
         scene_version: The scene state that the fields belong to.
         is_live: Whether it follows the watched run's newest checkpoint.
     """
@@ -120,6 +121,7 @@ class PolicySnapshot:
     num_steps: int
     q_map: FloatMap | None
     start_density: FloatMap | None
+    start_modes: tuple[tuple[int, int], ...]
     scene_version: int
     is_live: bool
 

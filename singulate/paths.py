@@ -15,3 +15,8 @@ def default_runs_directory() -> Path:
 def shipped_checkpoints_directory() -> Path:
     """Directory of the checkpoints that come with the repository, beside the package."""
     return Path(__file__).resolve().parent.parent / "checkpoints"
+
+
+def figures_directory() -> Path:
+    """Directory of the reproduced figures that come with the repository, beside the package."""
+    return Path(__file__).resolve().parent.parent / "static" / "figures"

@@ -184,6 +184,7 @@ class PolicyLink:
             num_steps=loaded.num_steps,
             q_map=fields.q_map if fields else None,
             start_density=fields.start_density if fields else None,
+            start_modes=fields.start_modes if fields else (),
             scene_version=fields.version if fields else 0,
             is_live=self.is_live,
         )

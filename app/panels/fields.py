@@ -16,7 +16,7 @@ from app.panels.field_age import policy_line, reward_map_line
 from app.panels.inspection import inspection_html
 from app.panels.listening import listen, show_value
 from app.panels.marked_choice import add_switch
-from app.panels.markup import block, dimmed, picture, show, title
+from app.panels.markup import block, dimmed, picture, ring, show, title
 from app.panels.montage import montage_html
 from app.panels.watch import Throttle, Watch
 from app.preferences import CHOICES, SPANS, Preferences
@@ -146,16 +146,19 @@ class FieldsPanel:
         distance = FIELDS_BY_KEY["distance_map"]
         span: Span = value_span(scene.distance_map)
         pictures = [
-            ("Camera", picture_image(scene.rgb)),
-            ("Distance", field_image(scene.distance_map, span, distance.colormap)),
-            ("Mask", field_image(scene.mask.astype(np.float32), (0.0, 1.0), distance.colormap)),
+            ("Camera", picture_image(scene.rgb), ""),
+            ("Distance", field_image(scene.distance_map, span, distance.colormap), ""),
+            ("Mask", field_image(scene.mask.astype(np.float32), (0.0, 1.0), distance.colormap), ""),
         ]
-        if density is not None:
+        if policy is not None and density is not None:
             image = field_image(density, value_span(density), distance.colormap)
-            pictures.append(("Starts", image))
+            modes = policy.start_modes
+            marks = "".join(ring(mode, density.shape[0]) for mode in modes)
+            name = f"Starts, {len(modes)} mode{'' if len(modes) == 1 else 's'}"
+            pictures.append((name, image, marks))
         figures = "".join(
-            f'<div style="flex:1;min-width:0">{picture(image, name)}{dimmed(name)}</div>'
-            for name, image in pictures
+            f'<div style="flex:1;min-width:0">{picture(image, name, marks)}{dimmed(name)}</div>'
+            for name, image, marks in pictures
         )
         html = f'<div style="display:flex;gap:4px">{figures}</div>'
         show(self.inputs, block(title("What the agent sees, and where it starts"), html))

@@ -64,7 +64,7 @@ def on_press(
     handle.on_click(on_click)
 
 
-def on_pick(handle: viser.GuiButtonGroupHandle, act: Callable[[int], None]) -> None:
+def on_pick(handle: viser.GuiButtonGroupHandle, act: Callable[[int], object]) -> None:
     """Call `act` with the index of the pressed button of a group; unknown names are not counted."""
 
     async def on_click(event: viser.GuiEvent[Any]) -> None:

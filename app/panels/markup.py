@@ -12,7 +12,7 @@ import viser
 from app.fields.field_image import Rgba
 from app.fields.inline_image import data_uri
 
-__all__ = ["block", "dimmed", "escape", "picture", "show", "table", "title"]
+__all__ = ["block", "dimmed", "escape", "picture", "ring", "show", "table", "title"]
 
 BORDER = "var(--mantine-color-default-border)"
 DIM = "var(--mantine-color-dimmed)"
@@ -58,6 +58,21 @@ def picture(image: Rgba, alt: str, overlay: str = "") -> str:
         f'<img alt="{escape(alt, quote=True)}" decoding="sync" src="{data_uri(image)}" '
         'style="width:100%;aspect-ratio:1;image-rendering:pixelated;display:block">'
         f"{overlay}</div>"
+    )
+
+
+def ring(cell: tuple[int, int], resolution: int) -> str:
+    """A small ring over one cell (row, column) of a picture, visible on any colour.
+
+    Args:
+        cell: The cell.
+        resolution: Cells along each side of the picture.
+    """
+    top, left = (100.0 * (index + 0.5) / resolution for index in cell)
+    return (
+        f'<div style="position:absolute;top:{top:.1f}%;left:{left:.1f}%;width:10px;height:10px;'
+        "margin:-5px 0 0 -5px;border-radius:50%;border:1.5px solid #ffffff;"
+        'box-shadow:0 0 0 1px #000000,inset 0 0 0 1px #000000;box-sizing:border-box"></div>'
     )
 
 

@@ -6,7 +6,7 @@ import numpy.typing as npt
 from app.fields.catalogue import FieldKind
 from app.fields.field_image import Span, best_cell, field_image
 from app.fields.legend import legend_html
-from app.panels.markup import dimmed, picture
+from app.panels.markup import dimmed, picture, ring
 from singulate.geometry import Direction
 
 ARROWS = ("↑ up", "→ right", "↓ down", "← left")
@@ -33,22 +33,12 @@ def montage_html(
     for direction in Direction:
         cell = bests[direction] if direction == winner else None
         image = field_image(stack[direction], spans[direction], kind.colormap)
+        mark = "" if cell is None else ring(cell, stack.shape[1])
         own = "" if has_legend else legend_html(spans[direction], kind.colormap)
         figures.append(
             '<div style="flex:1;min-width:0">'
-            f"{picture(image, f'{kind.label} {direction.label}', _ring(cell, stack.shape[1]))}"
+            f"{picture(image, f'{kind.label} {direction.label}', mark)}"
             f"{dimmed(ARROWS[direction])}{own}</div>"
         )
     legend = legend_html(spans[0], kind.colormap, kind.unit) if has_legend else ""
     return f'<div style="display:flex;gap:4px">{"".join(figures)}</div>{legend}'
-
-
-def _ring(cell: tuple[int, int] | None, resolution: int) -> str:
-    if cell is None:
-        return ""
-    top, left = (100.0 * (index + 0.5) / resolution for index in cell)
-    return (
-        f'<div style="position:absolute;top:{top:.1f}%;left:{left:.1f}%;width:10px;height:10px;'
-        "margin:-5px 0 0 -5px;border-radius:50%;border:1.5px solid #ffffff;"
-        'box-shadow:0 0 0 1px #000000,inset 0 0 0 1px #000000;box-sizing:border-box"></div>'
-    )

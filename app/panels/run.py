@@ -5,7 +5,7 @@ from pathlib import PurePath
 
 import viser
 
-from app.choices import AGENTS, MAX_SEED, MAX_TIMESTEPS, SCENARIOS
+from app.choices import AGENTS, MAX_SEED, MAX_TIMESTEPS, SCENARIOS, USUAL_PUSHES
 from app.commands import (
     PauseTraining,
     ResumeTraining,
@@ -48,12 +48,14 @@ class RunPanel:
     def _add_form(self) -> None:
         gui, context = self._context.gui, self._context
         with gui.add_folder("New run"):
-            self.agent = gui.add_dropdown("Agent", AGENTS, initial_value="dqn")
+            self.agent = gui.add_dropdown("Agent", AGENTS, initial_value=AGENTS[0])
             self.scenario = gui.add_dropdown("Scenario", SCENARIOS, initial_value="random-2")
-            self.steps = gui.add_number("Pushes", 20_000, min=1, max=MAX_TIMESTEPS, step=1000)
+            usual = USUAL_PUSHES[AGENTS[0]]
+            self.steps = gui.add_number("Pushes", usual, min=1, max=MAX_TIMESTEPS, step=1000)
             self.seed = gui.add_number("Seed", 0, min=0, max=MAX_SEED, step=1)
             self.new = context.secondary.add("Start new run")
         on_press(self.new, self._start, context.report)
+        listen(self.agent, one_of("agent", AGENTS), self._suggest_pushes, context.report)
         self.runs = gui.add_dropdown("Watch run", (NO_RUN,), visible=False)
         listen(
             self.runs,
@@ -61,6 +63,9 @@ class RunPanel:
             self._watch_run,
             context.report,
         )
+
+    def _suggest_pushes(self, agent: str) -> None:
+        show_value(self.steps, USUAL_PUSHES[agent])
 
     def _watch_run(self, name: str) -> None:
         run_dir = self._run_dirs.get(name)

@@ -62,12 +62,14 @@ class Fields:
         version: The scene's state at rest.
         q_map: float32 (4, H, W), or None.
         start_density: float32 (H, W) summing to 1, or None.
+        start_modes: Cells (row, column) at which it has a mode, the most prominent first.
     """
 
     source: str
     version: int
     q_map: FloatMap | None
     start_density: FloatMap | None
+    start_modes: tuple[tuple[int, int], ...] = ()
 
 
 @dataclass(frozen=True)

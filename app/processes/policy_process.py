@@ -17,6 +17,7 @@ from app.processes.policy_messages import (
     Prediction,
     PredictReward,
 )
+from singulate.agents.density_modes import Mode, density_modes
 from singulate.agents.loading import checkpoint_directory, policy_from_checkpoint
 from singulate.agents.policy import FloatMap, HasQMap, HasStartDensity, Policy
 from singulate.checkpoints import read_checkpoint
@@ -76,11 +77,14 @@ class PolicyAnswerer:
             case ComputeFields(version, percept, wants_q_map, wants_start_density):
                 seen = self._observe(percept)
                 q_map = density = None
+                modes: list[Mode] = []
                 if wants_q_map and isinstance(policy, HasQMap):
                     q_map = policy.q_map(seen)
                 if wants_start_density and isinstance(policy, HasStartDensity):
                     density = policy.start_density(seen)
-                return Fields(self._source, version, q_map, density)
+                    modes = density_modes(density)
+                cells = tuple((mode.row, mode.col) for mode in modes)
+                return Fields(self._source, version, q_map, density, cells)
             case ChoosePush(version, percept):
                 rng = self._rng if policy.is_random else None
                 return ChosenPush(version, policy.act(self._observe(percept), rng))

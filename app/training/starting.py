@@ -9,8 +9,10 @@ from singulate.envs.config import EnvConfig
 from singulate.exceptions import InvalidValueError
 from singulate.training.config import TrainingConfig
 
-_PAGE_CHECKPOINT_EVERY = 1_000
-"""Checkpoints of a run that is watched come often, so that its policy can be followed [pushes]."""
+_CHECKPOINTS_A_RUN = 50
+_FEWEST_PUSHES, _MOST_PUSHES = 20, 1_000
+"""Between checkpoints: those of a run that is watched come often, so that its policy can be
+followed."""
 
 
 def training_config(command: StartTraining) -> TrainingConfig:
@@ -31,7 +33,7 @@ def training_config(command: StartTraining) -> TrainingConfig:
     }
     return TrainingConfig.from_dict(
         {
-            "checkpoint_every": _PAGE_CHECKPOINT_EVERY,
+            "checkpoint_every": _checkpoint_every(command.total_timesteps),
             **options,
             "agent": command.agent,
             "env": EnvConfig.from_dict(env).to_dict(),
@@ -39,6 +41,10 @@ def training_config(command: StartTraining) -> TrainingConfig:
             "seed": command.seed,
         }
     )
+
+
+def _checkpoint_every(total_timesteps: int) -> int:
+    return min(max(_FEWEST_PUSHES, total_timesteps // _CHECKPOINTS_A_RUN), _MOST_PUSHES)
 
 
 def _mapping(key: str, value: object) -> Mapping[str, Any]:

@@ -6,7 +6,7 @@ import viser
 
 from app.views.palette import BLOCK_COLOURS
 from app.views.shadows import ShadowsView
-from singulate.geometry import BlockPose, Poses, Workspace
+from singulate.geometry import BlockPose, Poses
 
 _LOWEST = 0.0
 """A block whose centre is below the table [m] has fallen off and is not drawn."""
@@ -20,15 +20,14 @@ class BlocksView:
 
     Args:
         scene: The scene that all browsers share.
-        workspace: The table.
         on_drag: Told of drags with the left button, with and without Shift.
     """
 
-    def __init__(self, scene: viser.SceneApi, workspace: Workspace, on_drag: OnDrag) -> None:
+    def __init__(self, scene: viser.SceneApi, on_drag: OnDrag) -> None:
         self._scene = scene
         self._on_drag = on_drag
         self._boxes: list[viser.BoxHandle] = []
-        self._shadows = ShadowsView(scene, workspace)
+        self._shadows = ShadowsView(scene)
         self._shown: Poses = ()
 
     def update(self, poses: Poses) -> None:

@@ -28,14 +28,14 @@ class Surface:
 
 
 LIGHT = Surface(
-    table=(248, 247, 244),
+    table=(221, 221, 219),
     border=(132, 134, 140),
     grid=(196, 198, 202),
     print=(96, 99, 106),
     ghost=(138, 142, 150),
 )
 DARK = Surface(
-    table=(62, 65, 71),
+    table=(47, 50, 57),
     border=(140, 144, 152),
     grid=(84, 88, 95),
     print=(170, 173, 180),

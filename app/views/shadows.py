@@ -1,71 +1,101 @@
-"""Soft contact shadows: one picture on the table, visible on draped fields too."""
+"""Soft contact shadows: a sheet under each block that moves with it, over draped fields too."""
+
+import math
 
 import cv2
 import numpy as np
 import numpy.typing as npt
+import trimesh
 import viser
+from PIL import Image
+from trimesh.exchange.gltf import export_glb
+from trimesh.visual import TextureVisuals
+from trimesh.visual.material import PBRMaterial
 
-from singulate.geometry import BlockPose, Poses, Workspace
-from singulate.geometry.rectangle import rectangle
+from singulate.geometry import BlockPose, Poses
 
-_PIXELS = 160
+_PIXELS = 64
+_REACH = 0.85
+"""Half the side of a sheet, in sides of the block."""
 _DARKNESS = 0.55
-_BLUR_M = 0.022
+_BLUR = 0.11
+"""Standard deviation of the soft edge, in sides of the block."""
 _OFFSET_M = (0.008, -0.008)
 """The light comes from the left and the back, so shadows lie a little to the front right."""
 _HEIGHT = 0.003
-_SUBPIXEL_BITS = 4
+ORIGIN_HEIGHT = 3.0
+"""Browsers draw transparent things in the order of their origins' distance from the camera, so a
+shadow's origin is high above the table: it is drawn after the field that it falls on [m]."""
 
 
 class ShadowsView:
-    """The shadows of all blocks.
-
-    One picture for all of them, because separate transparent pictures hide each other and the
-    field below, depending on the order in which the browser draws them.
+    """The shadows of all blocks; handles are made once and then only moved.
 
     Args:
         scene: Where they are drawn.
-        workspace: Decides the size of the picture.
     """
 
-    def __init__(self, scene: viser.SceneApi, workspace: Workspace) -> None:
-        self._reach = workspace.half_length + 0.1
-        self._image = scene.add_image(
-            "/shadows",
-            np.zeros((_PIXELS, _PIXELS, 4), dtype=np.uint8),
-            2 * self._reach,
-            2 * self._reach,
-            format="png",
-            cast_shadow=False,
-            position=(0.0, 0.0, _HEIGHT),
-        )
+    def __init__(self, scene: viser.SceneApi) -> None:
+        self._scene = scene
+        self._sheet = shadow_glb()
+        self._handles: list[viser.GlbHandle] = []
 
     def update(self, poses: Poses) -> None:
-        """Draw the shadows of these blocks."""
-        self._image.image = shadows(poses, self._reach)
+        """Show the shadows of these blocks."""
+        for index in range(len(self._handles), len(poses)):
+            self._handles.append(self._add(index))
+        for index, handle in enumerate(self._handles):
+            _place(handle, poses[index] if index < len(poses) else None)
+
+    def _add(self, index: int) -> viser.GlbHandle:
+        return self._scene.add_glb(
+            f"/shadows/{index}",
+            self._sheet,
+            visible=False,
+            cast_shadow=False,
+            receive_shadow=False,
+        )
 
 
-def shadows(poses: Poses, reach: float) -> npt.NDArray[np.uint8]:
-    """Picture of the shadows under blocks.
-
-    Args:
-        poses: The blocks.
-        reach: Half the side of the picture [m].
+def shadow() -> npt.NDArray[np.uint8]:
+    """Picture of the shadow of a block of side 1 in the middle of a sheet of side 2 * 0.85.
 
     Returns:
-        RGBA uint8 (H, W, 4), black and more or less transparent; row 0 at -y, as viser wants it.
+        RGBA uint8 (H, W, 4), black and more or less transparent.
     """
-    scale = _PIXELS / (2 * reach)
-    alpha = np.zeros((_PIXELS, _PIXELS), dtype=np.uint8)
-    for pose in poses:
-        corners = _footprint(pose) + np.array(_OFFSET_M)
-        pixels = (corners + reach) * scale - 0.5
-        fixed_point = np.round(pixels * (1 << _SUBPIXEL_BITS)).astype(np.int32)
-        cv2.fillConvexPoly(alpha, fixed_point, 255, cv2.LINE_AA, _SUBPIXEL_BITS)
+    centres = (np.arange(_PIXELS) + 0.5) / _PIXELS * 2 * _REACH - _REACH
+    pixel = 2 * _REACH / _PIXELS
+    covered = np.clip((0.5 - np.abs(centres)) / pixel + 0.5, 0.0, 1.0)
+    alpha = cv2.GaussianBlur(np.outer(covered, covered), (0, 0), _BLUR / pixel)
     picture = np.zeros((_PIXELS, _PIXELS, 4), dtype=np.uint8)
-    picture[..., 3] = cv2.GaussianBlur(alpha, (0, 0), _BLUR_M * scale) * _DARKNESS
+    picture[..., 3] = np.round(255 * _DARKNESS * alpha)
     return picture
 
 
-def _footprint(pose: BlockPose) -> npt.NDArray[np.float64]:
-    return rectangle(pose.position[:2], (pose.side / 2, pose.side / 2), pose.yaw)
+def shadow_glb() -> bytes:
+    """The sheet as a GLB file: horizontal, `ORIGIN_HEIGHT` below its origin."""
+    corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
+    material = PBRMaterial(  # type: ignore[no-untyped-call]
+        baseColorTexture=Image.fromarray(shadow()),
+        alphaMode="BLEND",
+        metallicFactor=0.0,
+        roughnessFactor=1.0,
+    )
+    sheet = trimesh.Trimesh(
+        np.insert(corners * _REACH, 2, -ORIGIN_HEIGHT, axis=1),
+        [[0, 1, 2], [0, 2, 3]],
+        visual=TextureVisuals(uv=(corners + 1) / 2, material=material),  # type: ignore[no-untyped-call]
+        process=False,
+    )
+    return bytes(export_glb(trimesh.Scene(sheet)))  # type: ignore[no-untyped-call]
+
+
+def _place(handle: viser.GlbHandle, pose: BlockPose | None) -> None:
+    if pose is not None:
+        x, y = (at + shift for at, shift in zip(pose.position[:2], _OFFSET_M, strict=True))
+        handle.position = (x, y, _HEIGHT + ORIGIN_HEIGHT)
+        handle.wxyz = (math.cos(pose.yaw / 2), 0.0, 0.0, math.sin(pose.yaw / 2))
+        if handle.scale != (pose.side, pose.side, 1.0):
+            handle.scale = (pose.side, pose.side, 1.0)
+    if handle.visible != (pose is not None):
+        handle.visible = pose is not None

@@ -1,4 +1,4 @@
-"""The table top with the border, grid and axes of the workspace."""
+"""The table with the border, grid and axes of the workspace."""
 
 import numpy as np
 import numpy.typing as npt
@@ -11,38 +11,37 @@ from singulate.geometry import Workspace
 MARGIN = 0.14
 """How far the table reaches beyond the workspace [m]."""
 _THICKNESS = 0.05
-_MARKS_HEIGHT = 0.001
 _BORDER_HEIGHT = 0.004
 
 
 class TableView:
     """The table in one browser; its theme is that browser's.
 
+    The top is one printed sheet and the edges are walls around nothing: a computer without a GPU
+    pays for every layer that covers the picture.
+
     Args:
         scene: The browser's own scene.
         workspace: The square that is marked on the table.
+
+    Attributes:
+        top: The sheet; it can be dragged on.
     """
 
     def __init__(self, scene: viser.SceneApi, workspace: Workspace) -> None:
         self._workspace = workspace
         self._is_dark = False
-        self.width = workspace.length + 2 * MARGIN
+        width = workspace.length + 2 * MARGIN
         colours = surface(False)
-        self.top = scene.add_box(
-            "/table/top",
-            colours.table,
-            (self.width, self.width, _THICKNESS),
-            position=(0.0, 0.0, -_THICKNESS / 2),
-            cast_shadow=False,
+        self.top = scene.add_image(
+            "/table/top", self._print(), width, width, format="png", cast_shadow=False
         )
-        self._marks = scene.add_image(
-            "/table/marks",
-            self._print(),
-            self.width,
-            self.width,
-            format="png",
+        self._edges = scene.add_mesh_simple(
+            "/table/edges",
+            *_walls(width),
+            color=colours.table,
+            side="double",
             cast_shadow=False,
-            position=(0.0, 0.0, _MARKS_HEIGHT),
         )
         self._border = scene.add_line_segments(
             "/table/border",
@@ -58,13 +57,23 @@ class TableView:
             return
         self._is_dark = is_dark
         colours = surface(is_dark)
-        self.top.color = colours.table
-        self._marks.image = self._print()
+        self._edges.color = colours.table
+        self.top.image = self._print()
         self._border.colors = np.array(colours.border, dtype=np.uint8)
 
     def _print(self) -> npt.NDArray[np.uint8]:
         marks = table_marks(self._workspace, MARGIN, surface(self._is_dark))
         return np.ascontiguousarray(marks[::-1])  # viser puts row 0 at -y
+
+
+def _walls(width: float) -> tuple[npt.NDArray[np.float32], npt.NDArray[np.int32]]:
+    """Vertices (8, 3) and triangles (8, 3) of the four edges."""
+    square = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]], dtype=np.float32) * width / 2
+    upper, lower = (np.insert(square, 2, z, axis=1) for z in (0.0, -_THICKNESS))
+    here = np.arange(4)
+    there = (here + 1) % 4
+    faces = [(here, here + 4, there + 4), (here, there + 4, there)]
+    return np.concatenate([upper, lower]), np.concatenate([np.stack(f, axis=1) for f in faces])
 
 
 def _border(workspace: Workspace) -> npt.NDArray[np.float32]:

@@ -1,4 +1,4 @@
-"""Grid, axes and numerals of the workspace as one picture on the table."""
+"""The table top as one picture: grid, axes and numerals of the workspace."""
 
 import numpy as np
 import numpy.typing as npt
@@ -21,9 +21,9 @@ def table_marks(workspace: Workspace, margin: float, colours: Surface) -> npt.ND
         colours: Of the page's theme.
 
     Returns:
-        RGBA uint8 (PIXELS, PIXELS, 4), transparent where nothing is printed, row 0 at +y.
+        RGB uint8 (PIXELS, PIXELS, 3), row 0 at +y.
     """
-    sheet = _Sheet(workspace, margin, colours.grid)
+    sheet = _Sheet(workspace, margin, colours.table)
     ticks = np.linspace(-workspace.half_length, workspace.half_length, _NUM_CELLS + 1)
     reach, outside = workspace.half_length, workspace.half_length + margin / 2
     for tick in ticks[1:-1]:
@@ -38,12 +38,12 @@ def table_marks(workspace: Workspace, margin: float, colours: Surface) -> npt.ND
 
 
 class _Sheet:
-    """A transparent sheet in world coordinates; `ground` is what lines fade into."""
+    """A sheet in world coordinates."""
 
     def __init__(self, workspace: Workspace, margin: float, ground: Colour) -> None:
         self._reach = workspace.half_length + margin
         self._scale = PIXELS / (2 * self._reach)
-        self._image = Image.new("RGBA", (PIXELS, PIXELS), (*ground, 0))
+        self._image = Image.new("RGB", (PIXELS, PIXELS), ground)
         self._draw = ImageDraw.Draw(self._image)
         self._font = ImageFont.load_default(_FONT_HEIGHT_M * self._scale)
 
@@ -52,10 +52,10 @@ class _Sheet:
         return np.asarray(self._image)
 
     def line(self, start: tuple[float, float], end: tuple[float, float], ink: Colour) -> None:
-        self._draw.line([self._place(start), self._place(end)], fill=(*ink, 255), width=2)
+        self._draw.line([self._place(start), self._place(end)], fill=ink, width=2)
 
     def text(self, text: str, centre: tuple[float, float], ink: Colour) -> None:
-        self._draw.text(self._place(centre), text, fill=(*ink, 255), font=self._font, anchor="mm")
+        self._draw.text(self._place(centre), text, fill=ink, font=self._font, anchor="mm")
 
     def _place(self, xy: tuple[float, float]) -> tuple[float, float]:
         return (xy[0] + self._reach) * self._scale, (self._reach - xy[1]) * self._scale

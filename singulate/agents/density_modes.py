@@ -50,9 +50,10 @@ def density_modes(
     Returns:
         Modes, the most prominent first; none where the density is 0 everywhere.
     """
-    smooth = density.astype(np.float64)
+    smooth = np.asarray(density, dtype=np.float64)
     if smoothing_px > 0.0:
-        cv2.GaussianBlur(smooth, (0, 0), smoothing_px, smooth, borderType=cv2.BORDER_REFLECT)
+        blurred = cv2.GaussianBlur(smooth, (0, 0), smoothing_px, borderType=cv2.BORDER_REFLECT)
+        smooth = np.asarray(blurred, dtype=np.float64)
     highest = float(smooth.max())
     if highest <= 0.0:
         return []

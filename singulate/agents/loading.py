@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 import torch
 
+from singulate.agents.baselines import BASELINES
 from singulate.agents.policy import Policy
 from singulate.agents.registry import agent_kind
 from singulate.checkpoints import Checkpoint, latest_checkpoint, read_checkpoint
@@ -18,11 +19,14 @@ def load_policy(path: str | Path) -> Policy:
     """Load a trained agent.
 
     Args:
-        path: A checkpoint directory, or a run directory: its newest checkpoint.
+        path: A checkpoint directory, a run directory (its newest checkpoint), or the name of a
+            policy without learning (a key of `BASELINES`).
 
     Raises:
         CheckpointError: If it is missing, damaged or not one of ours.
     """
+    if str(path) in BASELINES:
+        return BASELINES[str(path)]()
     return policy_from_checkpoint(read_checkpoint(checkpoint_directory(path), with_files=False))
 
 

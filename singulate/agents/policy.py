@@ -5,7 +5,7 @@ from typing import Protocol, runtime_checkable
 import numpy as np
 import numpy.typing as npt
 
-from singulate.geometry import Push
+from singulate.geometry import Poses, Push
 
 FloatMap = npt.NDArray[np.float32]
 
@@ -54,4 +54,17 @@ class HasStartDensity(Protocol):
 
     def start_density(self, observation: FloatMap) -> FloatMap:
         """Probability that a push starts in each image cell, float32 (H, W), summing to 1."""
+        ...
+
+
+@runtime_checkable
+class SeesPoses(Protocol):
+    """No policy but a yardstick: it chooses by the true poses, which no agent may see."""
+
+    def act_on(self, poses: Poses) -> Push:
+        """Choose a push for blocks at rest."""
+        ...
+
+    def close(self) -> None:
+        """Let go of what it needs for that; it may be asked again."""
         ...

@@ -8,11 +8,16 @@ from singulate.bench.growth import bench_growth
 from singulate.bench.learning import bench_learning
 from singulate.bench.measurement import BenchOptions, Measurement
 from singulate.bench.rewardmap import bench_rewardmap
+from singulate.bench.training import bench_training
 
 BENCHMARKS: dict[str, Callable[[BenchOptions], Iterator[Measurement]]] = {
     "env": bench_env,
     "rewardmap": bench_rewardmap,
     "growth": bench_growth,
-    "learning": bench_learning,
+    "training": bench_training,
     "dashboard": bench_dashboard,
+    "learning": bench_learning,
 }
+
+USUAL_BENCHMARKS = tuple(name for name in BENCHMARKS if name != "learning")
+"""Those that are run where none is named; whole trainings over seeds take most of an hour."""

@@ -38,6 +38,7 @@ class BenchOptions:
         seconds: Time for each measurement that is taken by the clock [s].
         num_repeats: Scenes, clicks or runs behind a median.
         num_workers: Worker processes; one a core by default.
+        num_seeds: Trainings of each agent behind a median.
 
     Raises:
         InvalidValueError: If a value is out of range.
@@ -46,6 +47,7 @@ class BenchOptions:
     seconds: float = 5.0
     num_repeats: int = 3
     num_workers: int | None = None
+    num_seeds: int = 5
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.seconds) and 0.0 < self.seconds <= 3600.0):
@@ -54,6 +56,8 @@ class BenchOptions:
             raise InvalidValueError("repeats", self.num_repeats, "1 to 1000")
         if self.num_workers is not None and not 1 <= self.num_workers <= MAX_WORKERS:
             raise InvalidValueError("workers", self.num_workers, f"1 to {MAX_WORKERS}")
+        if not 1 <= self.num_seeds <= 1000:
+            raise InvalidValueError("seeds", self.num_seeds, "1 to 1000")
 
     @property
     def worker_counts(self) -> tuple[int, ...]:

@@ -10,7 +10,13 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from singulate.bench import BENCHMARKS, BenchOptions, Measurement, describe_machine
+from singulate.bench import (
+    BENCHMARKS,
+    USUAL_BENCHMARKS,
+    BenchOptions,
+    Measurement,
+    describe_machine,
+)
 from singulate.bench.page import fill_page
 from singulate.bench.plot import check_plot_target, save_plot
 from singulate.bench.results import BenchResults, read_results
@@ -28,7 +34,10 @@ def add_parser(subparsers: "Subparsers") -> None:
     text = "speed of pushes, of learning and of reward maps; the page's response and cost"
     parser = subparsers.add_parser("bench", help=text, description=text)
     parser.add_argument(
-        "names", nargs="*", metavar="NAME", help=f"{', '.join(BENCHMARKS)} (default: all)"
+        "names",
+        nargs="*",
+        metavar="NAME",
+        help=f"{', '.join(BENCHMARKS)} (default: {', '.join(USUAL_BENCHMARKS)})",
     )
     parser.add_argument(
         "--seconds",
@@ -43,6 +52,12 @@ def add_parser(subparsers: "Subparsers") -> None:
         help="scenes or runs behind a median (%(default)s)",
     )
     parser.add_argument("--workers", type=int, help="worker processes (one a core)")
+    parser.add_argument(
+        "--seeds",
+        type=int,
+        default=defaults.num_seeds,
+        help="trainings of each agent, for learning (%(default)s)",
+    )
     parser.add_argument(
         "--read", type=Path, metavar="JSON", help="show numbers that were printed by --json"
     )
@@ -65,7 +80,7 @@ def _run(args: argparse.Namespace) -> int:
     for name in args.names:
         if name not in BENCHMARKS:
             raise InvalidValueError("benchmark", name, ", ".join(BENCHMARKS))
-    options = BenchOptions(args.seconds, args.repeats, args.workers)
+    options = BenchOptions(args.seconds, args.repeats, args.workers, args.seeds)
     for key in ("out", "plot", "page"):
         if getattr(args, key) is not None:
             check_file_target(key, getattr(args, key))
@@ -73,7 +88,7 @@ def _run(args: argparse.Namespace) -> int:
         check_plot_target(args.plot)
     console = Console(stderr=args.json)
     if args.read is None:
-        results = _measure(args.names or list(BENCHMARKS), options, console, not args.json)
+        results = _measure(args.names or USUAL_BENCHMARKS, options, console, not args.json)
     else:
         results = _read(args.read, args.names)
         if not args.json:

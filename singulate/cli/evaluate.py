@@ -18,6 +18,7 @@ from singulate.cli.publishing import publish, run_config
 from singulate.cli.targets import check_checkpoint_target
 from singulate.engine import Engine
 from singulate.envs import EnvConfig
+from singulate.evaluation.yardsticks import YARDSTICKS
 from singulate.exceptions import InvalidValueError
 
 if TYPE_CHECKING:
@@ -36,7 +37,8 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument(
         "checkpoint",
         metavar="CHECKPOINT",
-        help="a checkpoint, a run directory (its newest checkpoint), or `random`",
+        help="a checkpoint, a run directory (its newest checkpoint), or a policy without "
+        f"learning: {', '.join(YARDSTICKS)}",
     )
     parser.add_argument("--scenario", help="such as random-2 (the one it was trained on)")
     parser.add_argument("--episodes", type=int, default=1000, help="(%(default)s)")
@@ -138,8 +140,8 @@ def _evaluate(
 
 def _load(name: str) -> tuple[Policy, str, EnvConfig]:
     """A policy, where it is from, and the task it was trained on."""
-    if name == "random":
-        return RandomPolicy(), name, EnvConfig()
+    if name in YARDSTICKS:
+        return YARDSTICKS[name](), name, EnvConfig()
     from singulate.agents.loading import checkpoint_directory, policy_from_checkpoint
     from singulate.checkpoints import read_checkpoint
 

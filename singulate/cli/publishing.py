@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 README = """# {name}
 
-A {agent} for `{scenario}`, {steps:,} pushes of training.
+A `{agent}` agent for `{scenario}`, {steps:,} pushes of training.
 
 | over {episodes:,} episodes | success | 95 % interval | mean reward | failures |
 |---|---|---|---|---|
@@ -102,7 +102,7 @@ def _readme(
     max_pushes = config.env.push_limit
     return README.format(
         name=name,
-        agent=config.agent.upper(),
+        agent=config.agent,
         scenario=config.env.scenario,
         steps=steps,
         episodes=episodes,

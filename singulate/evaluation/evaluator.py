@@ -5,10 +5,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from singulate.agents.policy import Policy
+from singulate.agents.policy import Policy, SeesPoses
 from singulate.envs import EnvConfig, PushEnv, make_observation, scene_seed
 from singulate.envs.outcome_kind import outcome_kind
 from singulate.exceptions import SimulationError
+from singulate.geometry import Push
 from singulate.outcomes import SIMULATION_ERROR
 from singulate.rewards import TERMS, make_reward
 
@@ -72,8 +73,7 @@ class Evaluator:
         num_pushes, is_success, is_over, kind = 0, False, False, SIMULATION_ERROR
         while not is_over and num_pushes < self._env.config.push_limit:
             num_pushes += 1
-            observation = self._observation.observe(self._env.task.percept)
-            push = self._policy.act(observation, rng)
+            push = self._choose(rng)
             try:
                 result = self._env.task.execute(push)
             except SimulationError:
@@ -90,6 +90,14 @@ class Evaluator:
     def close(self) -> None:
         """Release the physics engine."""
         self._env.close()
+        if isinstance(self._policy, SeesPoses):
+            self._policy.close()
+
+    def _choose(self, rng: np.random.Generator | None) -> Push:
+        task = self._env.task
+        if isinstance(self._policy, SeesPoses):
+            return self._policy.act_on(task.scene.poses)
+        return self._policy.act(self._observation.observe(task.percept), rng)
 
 
 def play_span(evaluator: Evaluator, span: EpisodeSpan) -> list[EpisodeResult]:

@@ -24,5 +24,10 @@ def label_segments(mask: npt.NDArray[np.bool_]) -> npt.NDArray[np.int32]:
         >>> label_segments(np.array([[True, False, True], [False, True, True]])).tolist()
         [[1, 0, 2], [0, 2, 2]]
     """
-    _, label_image = cv2.connectedComponents(mask.astype(np.uint8), connectivity=4)
-    return np.asarray(label_image, dtype=np.int32)
+    pixels = mask.astype(np.uint8)
+    left, top, width, height = cv2.boundingRect(pixels)
+    label_image = np.zeros(mask.shape, dtype=np.int32)
+    if width > 0:
+        part = np.s_[top : top + height, left : left + width]
+        _, label_image[part] = cv2.connectedComponents(pixels[part], connectivity=4)
+    return label_image

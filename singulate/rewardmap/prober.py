@@ -63,7 +63,7 @@ class Prober:
 
         Args:
             poses: The blocks at rest.
-            lines: Pushes of one line each, at least one.
+            lines: Pushes of one line each, at least one, none of which starts inside a block.
 
         Returns:
             The terms of each push, line after line.
@@ -74,22 +74,16 @@ class Prober:
 
     def _try_line(self, poses: Poses, pushes: Sequence[Push]) -> list[dict[str, float]]:
         before = self.look(poses)
-        self._task.restore(poses)
-        is_blocked = [self._task.scene.is_blocked(push) for push in pushes]
-        terms = [
-            self.idle_terms(poses, push, is_inside=True) if blocked else dict.fromkeys(TERMS, 0.0)
-            for push, blocked in zip(pushes, is_blocked, strict=True)
-        ]
-        free = [i for i, blocked in enumerate(is_blocked) if not blocked]
+        terms = [dict.fromkeys(TERMS, 0.0) for _ in pushes]
         rest, after = poses, before
-        for end in self._shared.ends([pushes[i] for i in free]) if free else ():
+        for end in self._shared.ends(pushes):
             if end.poses is None:
                 continue  # paid nothing
-            index = free[end.push_index]
             if end.poses is not rest:
                 self._task.restore(end.poses)
                 rest, after = end.poses, self._task.percept
-            terms[index] = self._terms(before, pushes[index], after, False, len(poses))
+            push = pushes[end.push_index]
+            terms[end.push_index] = self._terms(before, push, after, False, len(poses))
         return terms
 
     def idle_terms(self, poses: Poses, push: Push, is_inside: bool) -> dict[str, float]:

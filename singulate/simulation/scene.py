@@ -11,7 +11,6 @@ import numpy.typing as npt
 from singulate.exceptions import InvalidValueError, SimulationError
 from singulate.geometry import CameraFrame, Layout, Poses, Push, Workspace, standing_pose
 from singulate.geometry.rectangle import penetration
-from singulate.simulation.approach import free_length
 from singulate.simulation.camera import OverheadCamera, picture
 from singulate.simulation.fallen import is_fallen
 from singulate.simulation.footprint import (
@@ -23,17 +22,13 @@ from singulate.simulation.footprint import (
 from singulate.simulation.outcome import PushFrame, PushOutcome
 from singulate.simulation.physics import Physics
 from singulate.simulation.pixel_window import window_of
+from singulate.simulation.schedule import PusherSchedule
 from singulate.simulation.settling import is_still, settle
 from singulate.simulation.stage import Stage
 from singulate.simulation.world import World
 
 MAX_PUSHER_ERROR = 0.02
 """A pusher further than this from its target means that the physics went wrong [m]."""
-
-LEAD_STEPS = 30
-"""Simulated steps before the first contact. Blocks settle by some micrometres once they are put up;
-a pusher that met them on the way left them elsewhere than the plain push does: with 20 steps by
-1.1 mm in the median, where 1 mm of a start makes 0.8 mm; with 30 by 0.7 mm."""
 
 
 class Scene:
@@ -144,9 +139,10 @@ class Scene:
             return PushOutcome(is_blocked=True)
         is_touching = self.touches(push)
         is_simulated = is_touching or self.exact
-        num_free = self._num_free_steps(push) if is_simulated else self._num_steps(push)
+        schedule = PusherSchedule(push, self.physics)
+        num_free = self._num_free_steps(schedule) if is_simulated else schedule.num_steps
         for i in range(1, num_free + 1):
-            yield PushFrame(self._poses, (*self._pusher_position(push, i), push.yaw))
+            yield PushFrame(self._poses, (*schedule.position(i), push.yaw))
         if not is_simulated:
             return PushOutcome(num_steps=num_free)
         steps = self._simulate(push, is_touching)
@@ -197,8 +193,9 @@ class Scene:
         return False
 
     def _simulate(self, push: Push, is_touching: bool) -> Generator[None, None, PushOutcome]:
+        schedule = PusherSchedule(push, self.physics)
         self._world.build(self._poses)
-        yield from self._move_pusher(push)
+        yield from self._move_pusher(schedule)
         num_settle_steps, is_settled = yield from settle(self._world)
         before, self._poses = self._poses, self._world.checked_poses()
         return PushOutcome(
@@ -213,16 +210,15 @@ class Scene:
                 math.dist(old.position, new.position)
                 for old, new in zip(before, self._poses, strict=True)
             ),
-            num_steps=self._num_steps(push) + num_settle_steps,
+            num_steps=schedule.num_steps + num_settle_steps,
         )
 
-    def _move_pusher(self, push: Push) -> Generator[None, None, None]:
-        world = self._world
-        num_push_steps = self.physics.num_push_steps(push.length)
-        first = self._num_free_steps(push)
-        world.place_pusher(*self._pusher_position(push, first), push.yaw)
-        for i in range(first + 1, num_push_steps + 1):
-            world.drive_pusher(*self._pusher_position(push, i))
+    def _move_pusher(self, schedule: PusherSchedule) -> Generator[None, None, None]:
+        world, push = self._world, schedule.push
+        first = self._num_free_steps(schedule)
+        world.place_pusher(*schedule.position(first), push.yaw)
+        for i in range(first + 1, schedule.num_push_steps + 1):
+            world.drive_pusher(*schedule.position(i))
             yield
         error = math.dist(world.pusher_pose()[:2], push.end)
         if not error < MAX_PUSHER_ERROR:
@@ -230,38 +226,19 @@ class Scene:
                 f"the pusher stopped {error:.3g} m off its path; the scene is as before the push"
             )
         is_free = False
-        for i in range(num_push_steps + 1, self._num_steps(push) + 1):
+        for i in range(schedule.num_push_steps + 1, schedule.num_steps + 1):
             is_free = is_free or (not self.exact and self._is_left_alone())
             if is_free:
-                world.place_pusher(*self._pusher_position(push, i), push.yaw)
+                world.place_pusher(*schedule.position(i), push.yaw)
             else:
-                world.drive_pusher(*self._pusher_position(push, i))
+                world.drive_pusher(*schedule.position(i))
             yield
         world.park_pusher()
+
+    def _num_free_steps(self, schedule: PusherSchedule) -> int:
+        return 0 if self.exact else schedule.num_free_steps(self._poses)
 
     def _is_left_alone(self) -> bool:
         """Whether the blocks lie still and nothing that the pusher does will move them."""
         speeds = self._world.block_speeds()
         return is_still(speeds, self.physics.settle_speed) and not self._world.is_pusher_touching()
-
-    def _num_steps(self, push: Push) -> int:
-        """Time steps in which the pusher moves: along the push, then up."""
-        return self.physics.num_push_steps(push.length) + self.physics.num_lift_steps
-
-    def _num_free_steps(self, push: Push) -> int:
-        """Steps of a touching push that are not simulated, because nothing is near."""
-        if self.exact:
-            return 0
-        num_push_steps = self.physics.num_push_steps(push.length)
-        free = min(free_length(self._poses, push, self.physics.pusher_side), push.length)
-        share = free / push.length if push.length > 0.0 else 0.0
-        return max(0, int(share * num_push_steps) - LEAD_STEPS)
-
-    def _pusher_position(self, push: Push, step: int) -> tuple[float, float, float]:
-        """Where the pusher is after a step, (x, y, z) [m]."""
-        physics = self.physics
-        num_push_steps = physics.num_push_steps(push.length)
-        along = push.length * min(step, num_push_steps) / num_push_steps
-        lift = physics.retract_height * max(0, step - num_push_steps) / physics.num_lift_steps
-        (x, y), (dx, dy) = push.start, push.direction
-        return x + along * dx, y + along * dy, physics.pusher_z + lift

@@ -87,9 +87,9 @@ def make_bench(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def untrained(tmp_path_factory):
-    """Untrained checkpoints of both agents, saved as a trainer saves them."""
+    """Untrained checkpoints of some agents, saved as a trainer saves them."""
     directory = tmp_path_factory.mktemp("checkpoints")
-    for agent, action in (("dqn", "grid"), ("ppo", "point")):
+    for agent, action in (("dqn", "grid"), ("ppo", "point"), ("spatial", "point")):
         env = EnvConfig(scenario="random-2", action=action)
         kind = agent_kind(agent)
         _, network = kind.build_policy(kind.make_config({}), env)
@@ -192,7 +192,7 @@ def make_snapshot(
         "scene": make_scene(),
         "reward_map": RewardMapSnapshot(rewards, 32, 0.25, 3),
         "policy": PolicySnapshot(
-            "dqn-a", "dqn", "checkpoints/dqn-a", 20000, q_map, density, 3, False
+            "dqn-a", "dqn", "checkpoints/dqn-a", 20000, q_map, density, ((9, 5),), 3, False
         ),
         "run": make_run(),
         "policies": (("dqn-a", "checkpoints/dqn-a"), ("ppo-b", "checkpoints/ppo-b")),

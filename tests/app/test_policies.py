@@ -32,7 +32,7 @@ def load(bench, directory):
 
 
 def test_policies_are_listed_by_the_label_they_have_once_loaded(bench, untrained):
-    bench.until(lambda s: len(s.policies) == 2)
+    bench.until(lambda s: len(s.policies) == 3)
     listed = dict(bench.snapshot.policies)
     policy = load(bench, untrained / "dqn-untrained")
     assert listed[policy.label] == policy.source
@@ -58,9 +58,35 @@ def test_a_ppo_has_a_density_of_starts_and_no_q_map(bench, untrained):
     bench.laboratory.set_wanted_fields({"q_map", "start_density"})
     load(bench, untrained / "ppo-untrained")
     policy = bench.until(lambda s: s.policy.start_density is not None).policy
+    density = policy.start_density
+    assert all(density[mode] > np.median(density) for mode in policy.start_modes)
+    assert policy.start_modes
     assert policy.q_map is None
     assert policy.start_density.shape == (64, 64)
     assert policy.start_density.sum() == pytest.approx(1.0, abs=1e-3)
+
+
+def test_a_spatial_agent_has_a_q_map_as_fine_as_the_picture(bench, untrained):
+    bench.laboratory.set_wanted_fields({"q_map", "start_density"})
+    load(bench, untrained / "spatial-untrained")
+    policy = bench.until(lambda s: s.policy.q_map is not None).policy
+    assert policy.start_density is None
+    assert policy.q_map.shape == (4, 64, 64)
+    expected = load_policy(untrained / "spatial-untrained")
+    seen = bench.snapshot.scene.distance_map
+    assert np.allclose(policy.q_map, expected.q_map(seen), rtol=1e-3, atol=1e-2)
+
+
+def test_a_spatial_agent_predicts_a_push_from_its_very_start(bench, untrained):
+    load(bench, untrained / "spatial-untrained")
+    observation = bench.snapshot.scene.distance_map
+    push = Push.cardinal((-0.527, 0.313), Direction.LEFT, 0.5)
+    bench.do(PushNow(push))
+    report = bench.until(
+        lambda s: s.scene.last_push is not None and s.scene.last_push.push == push
+    ).scene.last_push
+    expected = load_policy(untrained / "spatial-untrained").predict_value(observation, push)
+    assert report.predicted == pytest.approx(expected, rel=1e-3, abs=1e-2)
 
 
 def test_a_push_is_predicted_by_the_cell_of_the_q_map(bench, untrained):

@@ -10,7 +10,6 @@ import psutil
 import pytest
 
 from app.commands import (
-    LoadPolicy,
     PauseTraining,
     ResumeTraining,
     SaveCheckpoint,
@@ -64,7 +63,6 @@ def test_a_run_is_started_shown_steered_followed_killed_and_resumed(make_bench):
     curves = bench.until(lambda s: s.run.curves).run.curves
     assert all(len(c.steps) == len(c.values) > 0 for c in curves.values())
 
-    bench.do(LoadPolicy("run"))
     policy = bench.until(lambda s: s.policy is not None).policy
     assert policy.is_live and policy.kind == "dqn"
     bench.until(lambda s: s.policy.num_steps > policy.num_steps)

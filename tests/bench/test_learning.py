@@ -1,59 +1,58 @@
-from collections.abc import Iterator
-from dataclasses import replace
+import math
+from itertools import pairwise
 
 import pytest
 
-from singulate.bench import BENCHMARKS, BenchOptions, Measurement
-from singulate.bench.learning import CONFIGS
+from singulate.bench import BenchOptions, learning, learning_curve
+from singulate.bench.learning_curve import LearningCurve, Look
+from singulate.envs import EnvConfig
+from singulate.training.config import TrainingConfig
 
-LOCAL_PARTS = ("physics", "image", "perception", "rest of the environment", "update", "acting")
-WORKER_PARTS = ("waiting", "update", "acting")
-
-
-@pytest.fixture(scope="module")
-def found() -> Iterator[dict[str, Measurement]]:
-    """Of shorter trainings in fewer ways than outside of tests."""
-    changes = ({"learning_starts": 20}, {"n_steps": 32})
-    pairs = zip(CONFIGS, changes, strict=True)
-    with pytest.MonkeyPatch.context() as patch:
-        short = [replace(config, agent_config=change) for config, change in pairs]
-        patch.setattr("singulate.bench.learning.CONFIGS", short)
-        patch.setattr("singulate.bench.learning.WAYS", ((1, 0, 1), (4, 2, 2)))
-        options = BenchOptions(seconds=0.1, num_repeats=1)
-        yield {m.name: m for m in BENCHMARKS["learning"](options)}
+SEEDS = 3
 
 
-@pytest.mark.parametrize(("agent", "scenario"), [("DQN", "random-2"), ("PPO", "fixed-2")])
+def test_a_curve_looks_at_unseen_scenes_until_its_last_push(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(learning_curve, "NUM_SCENES", 40)
+    config = TrainingConfig("dqn", EnvConfig("random-2", action="grid"), 150)
+    looks = learning_curve.learning_curve(config, (0.95, 0.99)).looks
+    assert [look.num_pushes for look in looks] == [100, 120, 144, 150]
+    assert all(a.seconds < b.seconds for a, b in pairwise(looks))
+    # An untrained agent fails at once, so the looks are broken off.
+    assert all(look.success < 0.5 and look.num_scenes == 25 for look in looks)
+
+
+def test_a_training_ends_at_the_highest_rate(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(learning_curve, "NUM_SCENES", 25)
+    config = TrainingConfig("dqn", EnvConfig("random-2", action="grid"), 1000)
+    (look,) = learning_curve.learning_curve(config, (0.0,)).looks
+    assert (look.num_pushes, look.num_scenes) == (100, 25)
+
+
+def _curve(*shares: float) -> LearningCurve:
+    return LearningCurve([Look(100 * (i + 1), float(i), s, 500) for i, s in enumerate(shares)])
+
+
 @pytest.mark.parametrize(
-    ("way", "parts"),
-    [
-        ("1 environment", LOCAL_PARTS),
-        ("4 environments, 2 workers, 2 threads", WORKER_PARTS),
-    ],
+    ("arrivals", "expected"), [((1, 3, 2), 200.0), ((1, None, 3), 300.0), ((1, None, None), None)]
 )
-def test_both_agents_are_timed_and_the_parts_add_up(
-    agent: str, scenario: str, way: str, parts: tuple[str, ...], found: dict[str, Measurement]
+def test_seeds_that_do_not_arrive_come_last_in_the_median(
+    arrivals: tuple[int | None, ...], expected: float | None, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    learning = found[f"{agent}, {way}"]
-    assert learning.unit == "pushes/s"
-    assert scenario in learning.note
-    spent = [found[f"{agent}, {way}, {part}"].value for part in parts]
-    assert min(spent) > 0.0
-    assert abs(sum(spent) - 1e3 / learning.value) < 1e-6
-    assert 50.0 < found[f"{agent}, {way}, peak memory"].value < 4096.0
-    assert found[f"{agent}, {way}, cores"].value > 0.1
-
-
-@pytest.mark.parametrize("agent", ["DQN", "PPO"])
-def test_gains_are_ratios_of_the_same_run(agent: str, found: dict[str, Measurement]) -> None:
-    way = f"{agent}, 4 environments, 2 workers, 2 threads"
-    expected = found[way].value / found[f"{agent}, 1 environment"].value
-    assert found[f"{way}, gain"].value == pytest.approx(expected)
-
-
-def test_a_gradient_step_is_compared_with_that_of_stable_baselines3(
-    found: dict[str, Measurement],
-) -> None:
-    step = "DQN, gradient step"
-    gain = found[f"{step}, stable-baselines3"].value / found[step].value
-    assert found[f"{step}, gain"].value == pytest.approx(gain)
+    curves = [
+        _curve(*[0.5] * 4) if at is None else _curve(*[0.5] * (at - 1), 0.96) for at in arrivals
+    ]
+    never = [_curve(0.2)] * SEEDS
+    found = dict.fromkeys(learning.MAX_PUSHES, never) | {"ppo": curves}
+    monkeypatch.setattr(learning, "_curve", lambda agent, seed: found[agent][seed])
+    measured = {m.name: m for m in learning.bench_learning(BenchOptions(num_seeds=SEEDS))}
+    assert measured["ppo, pushes to 95%"].value == expected
+    assert measured["ppo, pushes to 99%"].value is None
+    assert measured["ppo, success"].value == sorted(c.looks[-1].success for c in curves)[1]
+    gain = measured["ppo, pushes to 95%, gain"]
+    if expected is None:
+        assert gain.value is None
+    else:
+        assert math.isclose(gain.value, 20_000 / expected)
+        assert "at least" in gain.note

@@ -37,7 +37,7 @@ class SpatialConfig:
     buffer_size: int = 20_000
     learning_starts: int = 50
     batch_size: int = 128
-    gradient_steps: int = 1
+    gradient_steps: int = 2
     best_share: float = 0.25
     huber_beta: float = 0.3
     exploration_steps: int = 500

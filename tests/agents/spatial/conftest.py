@@ -19,3 +19,22 @@ def image() -> FloatMap:
     mask = np.zeros((64, 64), dtype=np.bool_)
     mask[20:26, 30:43] = True
     return distance_map(mask)
+
+
+@pytest.fixture
+def pointwise() -> ValueNetwork:
+    """A network of 16 and 16 channels that gives 6.4 / (d + 6.4) at d pixels from an object."""
+    network = ValueNetwork(16, 16).eval()
+    convolutions = [layer for layer in network.layers if isinstance(layer, torch.nn.Conv2d)]
+    with torch.no_grad():
+        for layer in convolutions:
+            layer.weight.zero_()
+            layer.bias.zero_()
+        # Closeness is the second of three channels of 16 pixels each; then each pixel is passed on.
+        convolutions[0].weight[:, 16:32, 0, 0] = torch.eye(16)
+        # Of the 9 cells along the push that are seen, the seventh is that of the start.
+        for layer, row in zip(convolutions[1:4], (2, 2, 0), strict=True):
+            layer.weight[:, :, row, 1] = torch.eye(16)
+        for layer in convolutions[4:]:
+            layer.weight[:, :, 0, 0] = torch.eye(16)
+    return network

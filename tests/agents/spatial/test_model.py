@@ -1,4 +1,5 @@
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -7,12 +8,16 @@ import torch
 from stable_baselines3.common.logger import Logger
 from stable_baselines3.common.vec_env import DummyVecEnv
 
+from singulate.agents.loading import load_policy
 from singulate.agents.reward_scale import ScaledReward
 from singulate.agents.spatial.choice import best_push
 from singulate.agents.spatial.config import SpatialConfig
 from singulate.agents.spatial.model import SpatialModel, build_model, learning_rate_at, network_of
-from singulate.envs import EnvConfig, PushEnv
+from singulate.agents.spatial.network import ValueNetwork
+from singulate.agents.spatial.window import read_between
+from singulate.envs import EnvConfig, PointActions, PushEnv
 from singulate.evaluation import evaluate
+from singulate.geometry import Workspace
 from singulate.training.config import TrainingConfig
 from singulate.training.trainer import train
 
@@ -23,7 +28,7 @@ def make_model() -> Iterator[Any]:
 
     def make(**settings: Any) -> SpatialModel:
         envs.append(PushEnv(scenario="random-2", action="point"))
-        config = SpatialConfig(net_arch=(8, 8), batch_size=32, **settings)
+        config = SpatialConfig(**{"net_arch": (8, 8), "batch_size": 32, **settings})
         steps = DummyVecEnv([lambda: ScaledReward(envs[-1])])
         model = build_model(config, steps, "distance_map", seed=3)
         model.set_logger(Logger(folder=None, output_formats=[]))
@@ -57,17 +62,22 @@ def test_the_average_follows_the_weights_that_learn(make_model: Any) -> None:
         assert not torch.equal(averaged, old)
 
 
-def test_the_value_of_an_executed_push_is_predicted(make_model: Any) -> None:
-    model = make_model(learning_starts=1000)
-    model.learn(5)
-    observation = model._last_obs[0]
-    actions, _ = model._sample_action(1000)
-    push = model._encoding.decode(actions[0])
-    policy = model._workspace
-    row, column = policy.xy_to_row_col(*push.start)
-    assert observation[row, column] > 0.0  # explored pushes start outside objects
-    assert model.predicted_values.shape == (1,)
-    assert np.isfinite(model.predicted_values).all()
+def test_the_value_of_an_executed_push_is_predicted(
+    make_model: Any, pointwise: ValueNetwork
+) -> None:
+    model = make_model(net_arch=(16, 16), learning_starts=1000)
+    model.learn(1)
+    network_of(model).load_state_dict(pointwise.state_dict())
+    values = torch.from_numpy(6.4 / (model._last_obs.clip(min=0.0) + 6.4))
+    directions = set()
+    for _ in range(20):
+        (action,), _ = model._sample_action(1000)
+        push = PointActions(Workspace()).decode(action)
+        x, y = np.clip(push.start, -63 / 64, 63 / 64)
+        pixel = torch.tensor([[(1.0 - y) * 32 - 0.5, (x + 1.0) * 32 - 0.5]], dtype=torch.float32)
+        assert model.predicted_values == pytest.approx(read_between(values, pixel), abs=1e-4)
+        directions.add(push.nearest_direction)
+    assert len(directions) >= 3
 
 
 def test_without_exploration_it_pushes_near_its_best_start(make_model: Any) -> None:
@@ -75,9 +85,9 @@ def test_without_exploration_it_pushes_near_its_best_start(make_model: Any) -> N
         learning_starts=1, exploration_steps=1, exploration_final_eps=0.0, start_noise=0.01
     )
     model.learn(4)
-    best = best_push(network_of(model), model._last_obs[0], model._workspace)
+    best = best_push(network_of(model), model._last_obs[0], Workspace())
     expected, _ = model.policy.predict(model._last_obs)
-    assert np.allclose(expected[0], model._encoding.encode(best), atol=1e-6)
+    assert np.allclose(expected[0], PointActions(Workspace()).encode(best), atol=1e-6)
     starts = np.array([model._sample_action(1)[0][0, :2] for _ in range(30)])
     assert 0.0 < starts.std(axis=0).max() < 0.03
 
@@ -89,10 +99,8 @@ def test_the_learning_rate_falls_with_the_pushes_alone() -> None:
     assert learning_rate_at(9900, config) == pytest.approx(1e-3)
 
 
-def test_it_learns_random_2_from_400_pushes(tmp_path: Any) -> None:
+def test_it_learns_random_2_from_400_pushes(tmp_path: Path) -> None:
     """Random aimed pushes succeed in about one scene of eight."""
-    from singulate.agents.loading import load_policy
-
     env = EnvConfig("random-2")
     result = train(TrainingConfig("spatial", env, 400, seed=1), tmp_path / "run")
     found = evaluate(load_policy(result.run_dir), env, 60, seed=99)

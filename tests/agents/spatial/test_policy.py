@@ -39,6 +39,15 @@ def test_the_map_holds_the_values_of_its_pixels(policy: SpatialPolicy, image: Fl
         assert value == pytest.approx(values[direction, row, column], rel=1e-4)
 
 
+def test_maps_of_all_directions_lie_as_the_table_does(
+    pointwise: ValueNetwork, image: FloatMap
+) -> None:
+    policy = build_policy(SpatialConfig(net_arch=(16, 16)), EnvConfig("random-2"))
+    policy.network.load_state_dict(pointwise.state_dict())
+    expected = 6400.0 / (image.clip(min=0.0) + 6.4)
+    assert np.allclose(policy.q_map(image), np.stack([expected] * 4), atol=1e-2)
+
+
 def test_values_change_continuously_with_the_start(policy: SpatialPolicy, image: FloatMap) -> None:
     starts = np.linspace(-0.2, 0.2, 200)
     values = [policy.predict_value(image, Push((x, 0.0), (0.0, 1.0), 0.5)) for x in starts]

@@ -5,6 +5,8 @@ from typing import Any
 
 import pytest
 
+from app.choices import AGENTS, USUAL_PUSHES
+
 pytestmark = pytest.mark.browser
 
 TRAIN_BUTTON = (
@@ -27,6 +29,14 @@ def press_train_button(window: Any) -> None:
     min(left.all(), key=lambda button: button.bounding_box()["x"]).click()
 
 
+def ask_for_pushes(window: Any, number: int) -> None:
+    """Fill in the form of a new run."""
+    inputs = [each for each in window.page.locator("input").all() if each.is_visible()]
+    pushes = [each for each in inputs if each.input_value() == str(USUAL_PUSHES[AGENTS[0]])]
+    pushes[0].fill(str(number))
+    pushes[0].press("Enter")
+
+
 def wait_for_training(state: str, label: str, *windows: Any) -> None:
     """Until every window shows the state, and its button what can be done about it."""
     for window in windows:
@@ -37,8 +47,10 @@ def wait_for_training(state: str, label: str, *windows: Any) -> None:
 def test_button_and_key_agree_in_every_window(page: Any, open_page: Callable[[], Any]) -> None:
     other = open_page()
     assert train_button(page) == train_button(other) == "Start training"
+    ask_for_pushes(page, 100_000)
     press_train_button(page)
     wait_for_training("running", "Pause", page, other)
+    page.wait_for_text("100,000 pushes")
 
     page.press("t")
     wait_for_training("paused", "Resume", page, other)

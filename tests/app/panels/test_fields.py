@@ -17,6 +17,8 @@ def test_truth_belief_and_inputs_are_drawn(context, make_snapshot):
     assert panel.reward.content.count("<img") == 4
     assert panel.q.content.count("<img") == 4
     assert panel.inputs.content.count("<img") == 4
+    assert "Starts, 1 mode" in panel.inputs.content
+    assert panel.inputs.content.count("border-radius:50%") == 1
     assert "True reward, best direction" in panel.legend.content
     assert "25 % done" in panel.legend.content
 

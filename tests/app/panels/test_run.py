@@ -12,7 +12,7 @@ def test_without_a_run_it_offers_to_start_one(context, make_snapshot, submitted)
     assert panel.train.label == "Start training"
     assert panel.save.disabled and panel.stop.disabled
     panel.train_or_pause()
-    assert submitted == [StartTraining("dqn", "random-2", 20_000, 0)]
+    assert submitted == [StartTraining("spatial", "random-2", 2_000, 0)]
 
 
 def test_one_button_pauses_and_resumes(context, make_snapshot, make_run, submitted):

@@ -1,14 +1,15 @@
 """Pictures that lie on the table: orientation, content, and what they have to agree with."""
 
-import math
+import io
 
 import numpy as np
+import trimesh
 
 from app.views.palette import BLOCK_COLOURS, LIGHT
 from app.views.pusher import PUSHER_HEIGHT, PUSHER_SIDE
-from app.views.shadows import shadows
+from app.views.shadows import ORIGIN_HEIGHT, shadow, shadow_glb
 from app.views.table_marks import PIXELS, table_marks
-from singulate.geometry import Block, Workspace, standing_pose
+from singulate.geometry import Workspace
 from singulate.simulation import Physics, palette
 
 
@@ -19,23 +20,25 @@ def test_colours_and_sizes_are_those_of_the_simulation() -> None:
     assert Physics().pusher_height == PUSHER_HEIGHT
 
 
-def test_shadows_lie_under_their_blocks() -> None:
-    poses = (standing_pose(Block(0.5, -0.5, 0.2, 0.3)),)
-    alpha = shadows(poses, reach=1.0)[..., 3].astype(float)
-    rows, columns = np.indices(alpha.shape)
-    cell = 2.0 / len(alpha)
-    x = (alpha * ((columns + 0.5) * cell - 1.0)).sum() / alpha.sum()
-    y = (alpha * ((rows + 0.5) * cell - 1.0)).sum() / alpha.sum()
-    assert math.hypot(x - 0.5, y + 0.5) < 0.02
-    area = (alpha / alpha.max()).sum() * cell**2
-    assert abs(area - 0.04) < 0.01
-    assert shadows((), reach=1.0).max() == 0
+def test_a_shadow_is_as_large_as_its_block_and_soft() -> None:
+    alpha = shadow()[..., 3].astype(float)
+    cell = 2 * 0.85 / len(alpha)
+    assert abs((alpha / alpha.max()).sum() * cell**2 - 1.0) < 0.05
+    assert np.array_equal(alpha, alpha[::-1]) and np.array_equal(alpha, alpha.T)
+    assert alpha[0].max() < 0.02 * alpha.max() < np.median(alpha)
+
+
+def test_a_shadow_lies_flat_below_its_origin() -> None:
+    sheet = trimesh.load(io.BytesIO(shadow_glb()), file_type="glb").to_geometry()
+    assert np.allclose(sheet.vertices[:, 2], -ORIGIN_HEIGHT)
+    assert np.allclose(np.ptp(sheet.vertices[:, :2], axis=0), 2 * 0.85)
+    assert (sheet.face_normals[:, 2] > 0).all()
 
 
 def test_numerals_stand_beside_the_workspace_and_the_grid_inside() -> None:
     marks = table_marks(Workspace(), 0.12, LIGHT)
-    assert marks.shape == (PIXELS, PIXELS, 4)
-    inked = marks[..., 3] > 0
+    assert marks.shape == (PIXELS, PIXELS, 3)
+    inked = (marks != LIGHT.table).any(axis=-1)
     border = round(PIXELS * 0.12 / 2.24)
     assert inked[-border:, :].any() and inked[:, :border].any()
     assert not inked[: border // 2, PIXELS // 2 :].any()

@@ -26,7 +26,7 @@ from singulate.training.workers.worker_envs import WorkerEnvs
 
 
 @dataclass
-class LearningTime:
+class TrainingTime:
     """What a training took.
 
     Attributes:
@@ -81,7 +81,7 @@ class TimedTraining:
         num_pushes = int(getattr(self.model, "learning_starts", 0)) + 2 * self.config.num_envs
         self._learn(lambda: self.model.num_timesteps >= max(num_pushes, 1))
 
-    def run(self, seconds: float) -> LearningTime:
+    def run(self, seconds: float) -> TrainingTime:
         """Train on, and time whole rollouts with their updates.
 
         Args:
@@ -90,7 +90,7 @@ class TimedTraining:
         before, num_before, cpu_before = dict(self._spent), self.model.num_timesteps, self._cpu_s()
         began = time.perf_counter()
         self._learn(lambda: time.perf_counter() - began >= seconds)
-        return LearningTime(
+        return TrainingTime(
             self.model.num_timesteps - num_before,
             time.perf_counter() - began,
             self._cpu_s() - cpu_before,

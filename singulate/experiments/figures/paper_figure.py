@@ -1,0 +1,49 @@
+"""What a figure of the paper consists of here."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from singulate.engine import Engine
+from singulate.experiments.cell_store import CellStore
+from singulate.experiments.figures.plan import Plan
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Data = Mapping[str, Any]
+"""The raw numbers of a figure, plain values for JSON."""
+
+
+@dataclass(frozen=True)
+class Sources:
+    """Where a figure takes its numbers from.
+
+    Attributes:
+        plan: How much is computed.
+        store: The trainings.
+        engine: Where pushes are simulated.
+    """
+
+    plan: Plan
+    store: CellStore
+    engine: Engine
+
+
+@dataclass(frozen=True)
+class PaperFigure:
+    """One figure.
+
+    Attributes:
+        name: Such as ``fig3``.
+        title: What it shows.
+        variants: Trainings that it needs, keys of `VARIANTS`.
+        measure: Its numbers; None where a training that it cannot do without is not finished.
+        draw: The picture of these numbers.
+    """
+
+    name: str
+    title: str
+    variants: tuple[str, ...]
+    measure: Callable[[Sources], Data | None]
+    draw: Callable[[Data], "Figure"]

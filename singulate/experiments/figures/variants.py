@@ -1,0 +1,77 @@
+"""The trainings behind the figures and claims, by name."""
+
+from dataclasses import dataclass
+
+from singulate.envs import EnvConfig
+from singulate.experiments.cell import Cell
+from singulate.experiments.figures.plan import Plan
+from singulate.training.config import TrainingConfig
+
+
+@dataclass(frozen=True)
+class Variant:
+    """One way of setting the task, trained once a seed.
+
+    Attributes:
+        label: Name for people.
+        agent: Kind of agent, with its defaults (Table 1 for PPO).
+        total_timesteps: Pushes of the training in full.
+        env: The task.
+        is_length_given: Whether the paper gives the length, so that it stays as it is.
+    """
+
+    label: str
+    agent: str
+    total_timesteps: int
+    env: EnvConfig
+    is_length_given: bool = False
+
+    def cells(self, plan: Plan) -> list[Cell]:
+        """Its trainings, one a seed."""
+        steps = plan.steps_of(self.total_timesteps, self.is_length_given)
+        return [
+            Cell(
+                TrainingConfig(self.agent, self.env, steps, seed),
+                plan.episodes,
+                plan.evaluation_seed,
+            )
+            for seed in plan.seeds
+        ]
+
+
+PPO_STEPS = 60_000
+"""As far as the paper's Fig. 6 goes."""
+DQN_STEPS = 20_000
+
+VARIANTS: dict[str, Variant] = {
+    "ppo-fixed-2": Variant("proposed", "ppo", PPO_STEPS, EnvConfig("fixed-2")),
+    "ppo-fixed-2-mask": Variant(
+        "binary mask", "ppo", PPO_STEPS, EnvConfig("fixed-2", observation="mask")
+    ),
+    "ppo-fixed-2-start-end": Variant(
+        "start and end", "ppo", PPO_STEPS, EnvConfig("fixed-2", action="start_end")
+    ),
+    "ppo-fixed-2-separation": Variant(
+        "r_Dist alone", "ppo", PPO_STEPS, EnvConfig("fixed-2", reward="separation")
+    ),
+    "ppo-fixed-2-pretrained": Variant(
+        "pretrained", "ppo", PPO_STEPS, EnvConfig("fixed-2", reward="start_then_separation"), True
+    ),
+    "ppo-fixed-2-start": Variant(
+        "r_Start and r_Inside", "ppo", PPO_STEPS, EnvConfig("fixed-2", reward="start"), True
+    ),
+    "ppo-random-2": Variant("PPO", "ppo", PPO_STEPS, EnvConfig("random-2")),
+    "dqn-fixed-2-start": Variant(
+        "r_Start and r_Inside",
+        "dqn",
+        4_000,
+        EnvConfig("fixed-2", action="grid", reward="start"),
+        True,
+    ),
+    "dqn-fixed-2-separation": Variant(
+        "r_Dist alone", "dqn", 10_000, EnvConfig("fixed-2", action="grid", reward="separation")
+    ),
+    "dqn-random-2": Variant("DQN", "dqn", DQN_STEPS, EnvConfig("random-2", action="grid")),
+    "dqn-random-3": Variant("DQN", "dqn", DQN_STEPS, EnvConfig("random-3", action="grid")),
+}
+"""Every training of the reproduction; a new one is one entry."""
