@@ -25,7 +25,6 @@ class PushActorCritic(ActorCriticPolicy):
         lr_schedule: Learning rate as stable-baselines3 passes it.
         num_cells: Cells along each side.
         widths: Channels of the convolutions.
-        scale: Factor for observations.
         **kwargs: Further arguments of `ActorCriticPolicy`.
     """
 
@@ -37,17 +36,16 @@ class PushActorCritic(ActorCriticPolicy):
         *,
         num_cells: int,
         widths: tuple[int, ...],
-        scale: float,
         **kwargs: Any,
     ) -> None:
         self.cells = PushCells(num_cells)
-        self._widths, self._scale = widths, scale
+        self._widths = widths
         super().__init__(observation_space, action_space, lr_schedule, **kwargs)
 
     def _build(self, lr_schedule: Schedule) -> None:
         shape = self.observation_space.shape
         assert shape is not None
-        self.push_net = PushNet(shape[0], self.cells.num_cells, self._widths, self._scale)
+        self.push_net = PushNet(shape[0], self.cells.num_cells, self._widths)
         self.optimizer = torch.optim.Adam(
             self.parameters(), lr=lr_schedule(1), **self.optimizer_kwargs
         )

@@ -40,7 +40,7 @@ class PushDistribution(Distribution):
 
         Args:
             logits: Of all choices, (batch, 4 * cells ** 2).
-            location: Peaks of the offsets of all choices, (batch, 4 * cells ** 2, 2): right and
+            location: Peaks of the offsets of all choices, (batch, 2, 4 * cells ** 2): right and
                 up, as seen with the choice's direction pointing up.
             scale: Their standard deviations before the cut, of the same shape.
         """
@@ -57,7 +57,7 @@ class PushDistribution(Distribution):
 
     def entropy(self) -> torch.Tensor:
         """Differential entropy of (x / l, y / l, direction), (batch,)."""
-        within = TruncatedNormal(self._location, self._scale).entropy().sum(dim=-1)
+        within = TruncatedNormal(self._location, self._scale).entropy().sum(dim=1)
         each = within + 2 * math.log(self.cells.half_cell) - self.log_probs
         return (self.log_probs.exp() * each).sum(dim=-1)
 
@@ -92,8 +92,8 @@ class PushDistribution(Distribution):
         row = torch.arange(len(choice)) if row is None else row
         direction = self.cells.direction_of(choice)
         return TruncatedNormal(
-            vectors_to_table(self._location[row, choice], direction),
-            sizes_to_table(self._scale[row, choice], direction),
+            vectors_to_table(self._location[row, :, choice], direction),
+            sizes_to_table(self._scale[row, :, choice], direction),
         )
 
     def actions_from_params(self, *args: Any, **kwargs: Any) -> torch.Tensor:

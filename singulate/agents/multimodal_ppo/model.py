@@ -9,7 +9,6 @@ from stable_baselines3.common.vec_env import VecEnv
 
 from singulate.agents.multimodal_ppo.actor_critic import PushActorCritic
 from singulate.agents.multimodal_ppo.config import MultimodalPPOConfig
-from singulate.agents.network import OBSERVATION_SCALES
 
 
 class MultimodalPPO(PPO):
@@ -76,7 +75,6 @@ def network_arguments(config: MultimodalPPOConfig, observation: str) -> dict[str
     return {
         "num_cells": config.num_cells,
         "widths": config.net_arch,
-        "scale": OBSERVATION_SCALES[observation],
         "normalize_images": False,
         "optimizer_kwargs": {"eps": 1e-5, "fused": True},
     }

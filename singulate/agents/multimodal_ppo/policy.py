@@ -4,6 +4,7 @@ import numpy as np
 import torch
 
 from singulate.agents.multimodal_ppo.actor_critic import PushActorCritic
+from singulate.agents.multimodal_ppo.centre import centre_of_density
 from singulate.agents.multimodal_ppo.config import MultimodalPPOConfig
 from singulate.agents.multimodal_ppo.density import start_density
 from singulate.agents.multimodal_ppo.distribution import PushDistribution
@@ -15,7 +16,7 @@ from singulate.geometry import Push, Workspace
 
 
 class MultimodalPolicy:
-    """Pushes from the likeliest cell, or draws pushes from a density with many modes.
+    """Pushes from the centre of the likeliest region, or draws from a density with many modes.
 
     Attributes:
         network: Actor and critic.
@@ -38,10 +39,10 @@ class MultimodalPolicy:
         ).eval()
 
     def act(self, observation: FloatMap, rng: np.random.Generator | None = None) -> Push:
-        """The mean start in the likeliest cell and direction; with `rng`, a drawn push."""
+        """The centre of the density's heaviest region; with `rng`, a drawn push."""
         distribution = self.push_distribution(observation)
         if rng is None:
-            action = distribution.mode()
+            action = centre_of_density(distribution)
         else:
             action = distribution.action_at(
                 torch.as_tensor(rng.random((1, 3)), dtype=torch.float32)

@@ -13,12 +13,12 @@ def turn_images(images: torch.Tensor) -> torch.Tensor:
     """Turn images so that each direction in turn points up.
 
     Args:
-        images: (batch, H, H), row 0 at +y.
+        images: (batch, C, H, H), row 0 at +y.
 
     Returns:
-        (batch, 4, H, H): for up, right, down, left.
+        (batch, 4, C, H, H): for up, right, down, left.
     """
-    turned = [torch.rot90(images, direction, (1, 2)) for direction in range(NUM_DIRECTIONS)]
+    turned = [torch.rot90(images, direction, (2, 3)) for direction in range(NUM_DIRECTIONS)]
     return torch.stack(turned, dim=1)
 
 

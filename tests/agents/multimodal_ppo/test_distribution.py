@@ -13,7 +13,7 @@ NUM_CHOICES = 4 * NUM_CELLS**2
 
 def _distribution(batch: int = 1, seed: int = 0) -> PushDistribution:
     generator = torch.Generator().manual_seed(seed)
-    shape = (batch, NUM_CHOICES, 2)
+    shape = (batch, 2, NUM_CHOICES)
     return PushDistribution(PushCells(NUM_CELLS)).proba_distribution(
         2.0 * torch.randn(batch, NUM_CHOICES, generator=generator),
         torch.rand(shape, generator=generator) * 2 - 1,
@@ -45,7 +45,7 @@ def test_densities_integrate_to_one_and_give_the_entropy() -> None:
 
 
 def test_a_uniform_policy_has_the_entropy_of_the_square() -> None:
-    shape = (1, NUM_CHOICES, 2)
+    shape = (1, 2, NUM_CHOICES)
     distribution = PushDistribution(PushCells(NUM_CELLS)).proba_distribution(
         torch.zeros(1, NUM_CHOICES), torch.zeros(shape), torch.full(shape, 100.0)
     )
@@ -88,8 +88,8 @@ def test_the_mode_is_in_the_likeliest_cell() -> None:
 
 def test_gradients_reach_all_parameters() -> None:
     logits = torch.zeros(2, NUM_CHOICES, requires_grad=True)
-    location = torch.zeros(2, NUM_CHOICES, 2, requires_grad=True)
-    scale = torch.full((2, NUM_CHOICES, 2), 0.5, requires_grad=True)
+    location = torch.zeros(2, 2, NUM_CHOICES, requires_grad=True)
+    scale = torch.full((2, 2, NUM_CHOICES), 0.5, requires_grad=True)
     distribution = PushDistribution(PushCells(NUM_CELLS)).proba_distribution(
         logits, location, scale
     )

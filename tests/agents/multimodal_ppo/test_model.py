@@ -1,4 +1,4 @@
-from collections.abc import Iterator
+from typing import Any
 
 import gymnasium as gym
 import numpy as np
@@ -20,12 +20,12 @@ class TwoTargets(gym.Env[np.ndarray, np.ndarray]):
     observation_space = gym.spaces.Box(-1.0, 91.0, (64, 64), np.float32)
     action_space = gym.spaces.Box(-1.0, 1.0, (3,), np.float32)
 
-    def reset(self, *, seed: int | None = None, options: object = None):  # type: ignore[no-untyped-def]
+    def reset(self, *, seed: int | None = None, options: Any = None) -> tuple[np.ndarray, Any]:
         rows, cols = np.mgrid[0:64, 0:64]
         self._seen = np.hypot(rows - 20.0, cols - 40.0).astype(np.float32)
         return self._seen, {}
 
-    def step(self, action: np.ndarray):  # type: ignore[no-untyped-def]
+    def step(self, action: np.ndarray) -> tuple[np.ndarray, float, bool, bool, dict[str, Any]]:
         x, y, c = (float(value) for value in action)
         direction = min(int((c + 1) * 2), 3)
         pays = [
@@ -36,35 +36,31 @@ class TwoTargets(gym.Env[np.ndarray, np.ndarray]):
 
 
 @pytest.fixture
-def make_model() -> Iterator[object]:
-    models: list[MultimodalPPO] = []
-
+def make_model() -> Any:
     def make(**settings: object) -> MultimodalPPO:
         values = {"net_arch": (8, 8), "num_cells": 8, "n_steps": 128, "batch_size": 32}
         config = MultimodalPPOConfig(**(values | settings))  # type: ignore[arg-type]
         model = build_model(config, DummyVecEnv([TwoTargets]), "distance_map", seed=0)
         model.set_logger(Logger(folder=None, output_formats=[]))
-        models.append(model)
         return model
 
-    torch.set_num_threads(1)
-    yield make
+    return make
 
 
-def test_it_learns_both_of_two_pushes_that_pay(make_model) -> None:  # type: ignore[no-untyped-def]
+def test_it_learns_both_of_two_pushes_that_pay(make_model: Any) -> None:
     """A Gaussian could cover one of them, or the useless middle."""
-    model = make_model(learning_rate=3e-3, anneal_steps=4000, clip_range=0.3)
-    model.learn(4000)
+    model = make_model(learning_rate=3e-3, anneal_steps=3000, ent_coef=0.1, final_ent_coef=0.1)
+    model.learn(3000)
     observation = torch.as_tensor(model.get_env().reset())
     distribution = model.policy.get_distribution(observation.expand(2000, -1, -1))
     pushes = distribution.sample()
     direction = ((pushes[:, 2] + 1) * 2).long()
     for x, y, side in SIDES:
         near = (pushes[:, :2] - torch.tensor([x, y])).abs().amax(dim=1) < 0.25
-        assert (near & (direction == side)).float().mean() > 0.2
+        assert (near & (direction == side)).float().mean() > 0.2, side
 
 
-def test_schedules_depend_on_the_pushes_alone(make_model) -> None:  # type: ignore[no-untyped-def]
+def test_schedules_depend_on_the_pushes_alone(make_model: Any) -> None:
     settings = {
         "learning_rate": 1e-3, "final_learning_rate": 1e-4,
         "ent_coef": 0.02, "final_ent_coef": 0.01, "anneal_steps": 256,
@@ -78,7 +74,7 @@ def test_schedules_depend_on_the_pushes_alone(make_model) -> None:  # type: igno
     assert model.ent_coef == pytest.approx(0.01)
 
 
-def test_rollouts_hold_the_densities_that_an_update_starts_from(make_model) -> None:  # type: ignore[no-untyped-def]
+def test_rollouts_hold_the_densities_that_an_update_starts_from(make_model: Any) -> None:
     """So the first ratio of new to old density is one, as PPO requires."""
     model = make_model(n_epochs=1, batch_size=128, learning_rate=1e-9, final_learning_rate=0.0)
     model.learn(128)

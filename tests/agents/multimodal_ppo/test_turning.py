@@ -11,9 +11,9 @@ from singulate.geometry import Direction, Workspace
 
 
 def test_turning_back_undoes_turning() -> None:
-    images = torch.rand(3, 8, 8)
-    turned_back = turn_back(turn_images(images).unsqueeze(2))
-    assert torch.equal(turned_back, images[:, None, None].expand(-1, 4, -1, -1, -1))
+    images = torch.rand(3, 2, 8, 8)
+    turned_back = turn_back(turn_images(images))
+    assert torch.equal(turned_back, images[:, None].expand(-1, 4, -1, -1, -1))
 
 
 @pytest.mark.parametrize("direction", list(Direction))
@@ -24,7 +24,7 @@ def test_each_direction_points_up_after_its_turn(direction: Direction) -> None:
     x, y = direction.vector
     row, col = workspace.xy_to_row_col(0.5 * x + 0.01, 0.5 * y + 0.01)
     image[row, col] = 1.0
-    turned = turn_images(image[None])[0, direction]
+    turned = turn_images(image[None, None])[0, direction, 0]
     row, col = divmod(int(turned.argmax()), 64)
     assert workspace.row_col_to_xy(row, col)[1] == pytest.approx(0.5, abs=0.05)
     assert workspace.row_col_to_xy(row, col)[0] == pytest.approx(0.0, abs=0.05)
