@@ -37,7 +37,7 @@ from app.watching import NextMove, Watching
 from singulate.exceptions import InvalidValueError, SingulateError
 from singulate.paths import default_runs_directory, shipped_checkpoints_directory
 
-FIRST_POLICY = "dqn-random-2"
+FIRST_POLICY = "spatial"
 FIELDS = frozenset({"reward_map", "q_map", "start_density"})
 SPEED_RANGE = (0.05, 50.0)
 _MAX_WAITING_COMMANDS = 1000

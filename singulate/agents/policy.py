@@ -61,8 +61,8 @@ class HasStartDensity(Protocol):
 class SeesPoses(Protocol):
     """No policy but a yardstick: it chooses by the true poses, which no agent may see."""
 
-    def act_on(self, poses: Poses) -> Push:
-        """Choose a push for blocks at rest."""
+    def act_on(self, poses: Poses, goal_separation: float) -> Push:
+        """Choose a push for blocks at rest; d_goal of Eq. 2 [m] decides what success is."""
         ...
 
     def close(self) -> None:

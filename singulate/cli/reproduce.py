@@ -49,9 +49,7 @@ def add_parser(subparsers: "Subparsers") -> None:
         help="minutes instead of hours: one seed, one update of PPO; proves nothing",
     )
     parser.add_argument(
-        "--no-training",
-        action="store_true",
-        help="draw and judge what is finished",
+        "--no-training", action="store_true", help="draw and judge what is finished"
     )
     parser.add_argument(
         "--out", type=Path, default=Path("static/figures"), metavar="DIR", help="(%(default)s)"

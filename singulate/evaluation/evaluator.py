@@ -96,7 +96,7 @@ class Evaluator:
     def _choose(self, rng: np.random.Generator | None) -> Push:
         task = self._env.task
         if isinstance(self._policy, SeesPoses):
-            return self._policy.act_on(task.scene.poses)
+            return self._policy.act_on(task.scene.poses, task.goal_separation)
         return self._policy.act(self._observation.observe(task.percept), rng)
 
 

@@ -82,9 +82,7 @@ def reproduce(
             made.unfinished.append(figure.name)
             continue
         evidence_of_figures[figure.name] = data
-        _write_json(out / f"{figure.name}.json", data, made)
-        save_figure(figure.draw(data), out / f"{figure.name}.png")
-        made.written.append(out / f"{figure.name}.png")
+        _write_figure(figure, data, out, made)
     if with_claims:
         if with_training:
             _train(CLAIMS, VARIANTS, sources, made, on_progress)
@@ -148,6 +146,12 @@ def _ceiling(
         config, engine, lambda done: on_progress(step, done, config.num_scenes)
     )
     return {**about, **ceiling.to_dict()}
+
+
+def _write_figure(figure: PaperFigure, data: Data, out: Path, made: Reproduction) -> None:
+    _write_json(out / f"{figure.name}.json", data, made)
+    save_figure(figure.draw(data), out / f"{figure.name}.png")
+    made.written.append(out / f"{figure.name}.png")
 
 
 def _write_json(path: Path, data: Any, made: Reproduction) -> None:

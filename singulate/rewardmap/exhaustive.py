@@ -24,18 +24,16 @@ class ExhaustivePolicy:
 
     Args:
         grid: Starts along each side.
-        goal_separation: d_goal of Eq. 2 [m].
     """
 
     kind = "exhaustive"
     observation = "distance_map"
     is_random = False
 
-    def __init__(self, grid: int = GRID, goal_separation: float = 0.1) -> None:
+    def __init__(self, grid: int = GRID) -> None:
         self.grid = grid
-        self._goal_separation = goal_separation
         self._reward = make_reward("paper")
-        self._prober: Prober | None = None
+        self._prober: tuple[float, Prober] | None = None
 
     def act(self, observation: FloatMap, rng: np.random.Generator | None = None) -> Push:
         """Refused, because an observation is not enough.
@@ -49,12 +47,10 @@ class ExhaustivePolicy:
         """None: it tries instead."""
         return None
 
-    def act_on(self, poses: Poses) -> Push:
+    def act_on(self, poses: Poses, goal_separation: float) -> Push:
         """The best push; where none meets a block, one that does nothing."""
-        if self._prober is None:
-            self._prober = Prober(self._goal_separation)
-        prober, about = self._prober, (poses, self._prober.workspace, self.grid)
-        sides = (*about, prober.pusher_side)
+        prober = self._prober_for(goal_separation)
+        sides = (poses, prober.workspace, self.grid, prober.pusher_side)
         lines = [
             [cell_push(prober.workspace, self.grid, int(cell)) for cell in line]
             for line in split_into_lines(reaching_starts(*sides) & ~blocked_starts(*sides))
@@ -70,5 +66,11 @@ class ExhaustivePolicy:
     def close(self) -> None:
         """Release the physics engine."""
         if self._prober is not None:
-            self._prober.close()
+            self._prober[1].close()
             self._prober = None
+
+    def _prober_for(self, goal_separation: float) -> Prober:
+        if self._prober is None or self._prober[0] != goal_separation:
+            self.close()
+            self._prober = (goal_separation, Prober(goal_separation))
+        return self._prober[1]

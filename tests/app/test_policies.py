@@ -158,8 +158,8 @@ def test_without_a_policy_nobody_pushes(make_bench):
 
 
 def test_the_shipped_checkpoint_is_loaded_at_first(make_bench, untrained, tmp_path):
-    (tmp_path / "dqn-random-2").symlink_to(untrained / "dqn-untrained")
+    (tmp_path / "spatial").symlink_to(untrained / "dqn-untrained")
     bench = make_bench(checkpoints_dir=tmp_path)
     policy = bench.until(lambda s: s.policy is not None).policy
-    assert policy.label == "dqn-random-2 · 1,234 steps"
+    assert policy.label == "spatial · 1,234 steps"
     assert (bench.snapshot.scene.scenario, bench.snapshot.scene.seed) == ("random-2", 0)

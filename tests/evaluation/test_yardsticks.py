@@ -20,6 +20,13 @@ def test_exhaustive_search_solves_what_its_grid_can() -> None:
     assert fine.num_successes == 6 > coarse.num_successes
 
 
+def test_exhaustive_search_minds_the_goal() -> None:
+    far, near = (EnvConfig("fixed-3", goal_separation=goal) for goal in (0.45, 0.05))
+    policy = ExhaustivePolicy(16)
+    assert evaluate(policy, near, 1).num_successes == 1
+    assert evaluate(policy, far, 1).num_successes == 0
+
+
 def test_exhaustive_search_does_not_depend_on_the_workers() -> None:
     config = EnvConfig("cluster-3")
     alone = evaluate(ExhaustivePolicy(8), config, 3, seed=1)
@@ -32,7 +39,7 @@ def test_exhaustive_search_needs_poses_and_an_empty_table_is_no_problem() -> Non
     assert isinstance(policy, SeesPoses)
     with pytest.raises(InvalidValueError, match="exhaustive"):
         policy.act(np.zeros((64, 64), np.float32))
-    assert policy.act_on(()).length == 0.5
+    assert policy.act_on((), 0.1).length == 0.5
     policy.close()
     policy.close()
 

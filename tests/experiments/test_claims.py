@@ -100,6 +100,17 @@ def test_dqn_is_judged_by_what_its_grid_allows(two: float, three: float, expecte
     assert verdict("dqn-random", Evidence(trained)) == NOT_MEASURED
 
 
+def test_a_reason_says_of_a_training_only_what_its_curve_shows() -> None:
+    rising = {f"dqn-{name}": runs(20_000, 0.4, 0.4, 0.4) for name in CEILINGS}
+    flat = {f"dqn-{name}": runs(20_000, 0.4, 0.4, 0.4) for name in CEILINGS}
+    for run in [run for group in flat.values() for run in group]:
+        run["curve"]["success"] = [0.4] * 30
+    for trained, expected in ((rising, True), (flat, False)):
+        claims = judge_all(Evidence(trained, ceilings=CEILINGS))
+        reason = next(claim.reason for claim in claims if claim.key == "dqn-random")
+        assert ("still rises" in reason) == expected
+
+
 @pytest.mark.parametrize(
     ("always", "pretrained", "alone", "expected"),
     [(0.9, 0.5, 0.1, HELD), (0.9, 0.1, 0.5, PARTLY), (0.1, 0.5, 0.9, NOT_HELD)],
@@ -166,7 +177,7 @@ def test_the_table_says_what_the_json_says(tmp_path: Path) -> None:
     saved = json.loads((tmp_path / "claims.json").read_text())
     assert [row["verdict"] for row in saved["claims"]] == [claim.verdict for claim in claims]
     assert "success: 0.6 (0.5 to 0.7, 3 seeds)" in page
-    assert "| ppo-random-2 | - | none yet | - |" in page
+    assert "| ppo-random-2 | paper | - | none yet | - |" in page
     assert "| random-3 | 1,000 | 83.0% (82.0% to 84.0%) |" in page
     assert page.count("**not measured**") == len(claims) - 1
 

@@ -14,10 +14,10 @@ from singulate.agents.dqn.config import DQNConfig
 from singulate.agents.dqn.replay import SymmetricReplayBuffer
 from singulate.agents.dqn.update import gradient_step
 from singulate.agents.network import policy_arguments
-from singulate.agents.overlap import OverlappedSteps
+from singulate.agents.overlap import OverlappedSteps, OverlappedUpdates
 
 
-class GridDQN(DQN):
+class GridDQN(OverlappedUpdates, DQN):
     """DQN whose exploration depends on the number of pushes alone, with its own generator.
 
     stable-baselines3 ties exploration to the share of the training that is done, so extending a
@@ -43,16 +43,6 @@ class GridDQN(DQN):
         """Every generator of its own that training draws from, by name."""
         assert isinstance(self.replay_buffer, SymmetricReplayBuffer)
         return {"exploration": self.exploration_rng, "replay": self.replay_buffer.rng}
-
-    def train(self, gradient_steps: int, batch_size: int = 100) -> None:
-        """Update the network, or leave it to `update_meanwhile`."""
-        if self.n_envs == 1:
-            self.update(gradient_steps)
-
-    def update_meanwhile(self) -> None:
-        """Make the update that is due after the last pushes, while the next ones are made."""
-        if self.num_timesteps > self.learning_starts:
-            self.update(self.gradient_steps)
 
     def update(self, gradient_steps: int) -> None:
         """Improve the network by so many gradient steps; `DQN.train`, but faster."""

@@ -7,10 +7,9 @@ import numpy.typing as npt
 import torch
 from gymnasium import spaces
 from stable_baselines3.common.noise import ActionNoise
-from stable_baselines3.common.off_policy_algorithm import OffPolicyAlgorithm
 from stable_baselines3.common.vec_env import VecEnv
 
-from singulate.agents.overlap import OverlappedSteps
+from singulate.agents.overlap import OverlappedSteps, OverlappedUpdates
 from singulate.agents.policy import FloatMap
 from singulate.agents.spatial.choice import best_push
 from singulate.agents.spatial.config import SpatialConfig
@@ -25,7 +24,7 @@ from singulate.envs import PointActions
 from singulate.geometry import Push, Workspace
 
 
-class SpatialModel(OffPolicyAlgorithm):
+class SpatialModel(OverlappedUpdates):
     """Learns what single pushes are worth, inside stable-baselines3's loop.
 
     The value of a push is its own reward: no discount, no target network. In episodes of several
@@ -70,16 +69,6 @@ class SpatialModel(OffPolicyAlgorithm):
     def generators(self) -> dict[str, np.random.Generator]:
         """Every generator of its own that training draws from, by name."""
         return {"exploration": self.exploration_rng, "replay": self.replay_buffer.rng}
-
-    def train(self, gradient_steps: int, batch_size: int = 100) -> None:
-        """Update the network, or leave it to `update_meanwhile`."""
-        if self.n_envs == 1:
-            self.update(gradient_steps)
-
-    def update_meanwhile(self) -> None:
-        """Make the update that is due after the last pushes, while the next ones are made."""
-        if self.num_timesteps > self.learning_starts:
-            self.update(self.gradient_steps)
 
     def update(self, gradient_steps: int) -> None:
         """Improve the network by so many gradient steps."""

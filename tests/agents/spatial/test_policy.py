@@ -1,11 +1,14 @@
+import time
+
 import numpy as np
 import pytest
+import torch
 
 from singulate.agents.policy import FloatMap, HasQMap
 from singulate.agents.spatial.config import SpatialConfig
 from singulate.agents.spatial.network import ValueNetwork
 from singulate.agents.spatial.policy import SpatialPolicy, build_policy
-from singulate.envs import EnvConfig
+from singulate.envs import EnvConfig, PushEnv
 from singulate.geometry import Direction, Push, Workspace
 
 
@@ -68,3 +71,21 @@ def test_a_mask_is_worth_what_its_distance_map_is(
     other = build_policy(SpatialConfig(net_arch=(8, 8)), EnvConfig(observation="mask"))
     other.network.load_state_dict(network.state_dict())
     assert other.act((image < 0.0).astype(np.float32)) == policy.act(image)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("scenario", ["random-2", "random-3", "cluster-5"])
+def test_acting_takes_less_than_5_ms_on_one_core(scenario: str) -> None:
+    policy = build_policy(SpatialConfig(), EnvConfig("random-2"))
+    num_threads = torch.get_num_threads()
+    torch.set_num_threads(1)
+    env = PushEnv(scenario=scenario)
+    times = []
+    for seed in range(40):
+        observation, _ = env.reset(seed=seed)
+        began = time.process_time()
+        policy.act(observation)
+        times.append(time.process_time() - began)
+    env.close()
+    torch.set_num_threads(num_threads)
+    assert np.median(times) < 5e-3
