@@ -2,6 +2,7 @@
 
 import os
 import secrets
+import signal
 import time
 
 import pytest
@@ -9,6 +10,9 @@ import pytest
 # Ray reads these when it is imported, which collecting its tests does.
 os.environ.setdefault("RAY_AUTH_MODE", "token")
 os.environ.setdefault("RAY_AUTH_TOKEN", secrets.token_hex(32))
+
+# A shell lets what it starts in the background ignore Ctrl-C, which our child processes inherit.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 _LOOP = 300_000
 _LOOP_ON_A_CALM_MACHINE_S = 0.02
