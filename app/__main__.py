@@ -11,10 +11,12 @@ from pathlib import Path
 
 from app.laboratory import Laboratory
 from app.loop import Dashboard
+from app.opening import prepare_opening
 from app.options import Options, parse_options
 from app.security import AccessPolicy
 from app.server import bind, open_server
 from singulate.exceptions import SingulateError
+from singulate.geometry import Workspace
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -52,6 +54,7 @@ def serve(options: Options) -> None:
         dashboard = Dashboard(server, laboratory)
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, lambda *_: stop.set())
+        prepare_opening(laboratory, Workspace(), stop)
         print(f"singulate: open {policy.url}", flush=True)
         if options.opens_browser:
             webbrowser.open(policy.url)

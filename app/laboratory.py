@@ -161,6 +161,11 @@ class Laboratory:
         return self._training.close()
 
     @property
+    def has_policy(self) -> bool:
+        """Whether a policy is loaded or being loaded."""
+        return self._policy.is_chosen
+
+    @property
     def pids(self) -> dict[str, int | None]:
         """Process ids by name: ``scene``, ``policy``, ``reward_map``, ``trainer``."""
         return {

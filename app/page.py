@@ -8,7 +8,7 @@ import viser
 from viser._gui_handles import GuiModalHandle
 
 from app.commands import AgentPush, Command, Undo
-from app.fields.catalogue import FIELDS_BY_KEY
+from app.fields.catalogue import FIELDS_BY_KEY, computed_fields
 from app.fields.drape import drape
 from app.fields.draped import DrapedField
 from app.fields.inline_image import png_bytes
@@ -124,12 +124,9 @@ class ClientPage:
         return self._draped
 
     @property
-    def wanted_fields(self) -> set[str]:
+    def wanted_fields(self) -> frozenset[str]:
         """What has to be computed for this client's view."""
-        wanted = set(FIELDS_BY_KEY[self.preferences.field].needs)
-        if self.preferences.shows_all_directions:
-            wanted |= {"reward_map", "q_map", "start_density"}
-        return wanted
+        return computed_fields(self.preferences)
 
     @property
     def direction(self) -> Direction:

@@ -119,5 +119,13 @@ FIELD_KINDS: tuple[FieldKind, ...] = (
               follows_run=True),
 )  # fmt: skip
 
+_SMALL_MULTIPLES = frozenset({"reward_map", "q_map", "start_density"})
+
 FIELDS_BY_KEY = {kind.key: kind for kind in FIELD_KINDS}
 FIELDS_BY_LABEL = {kind.label: kind for kind in FIELD_KINDS}
+
+
+def computed_fields(preferences: Preferences) -> frozenset[str]:
+    """What has to be computed for a person's view, names of `Laboratory.set_wanted_fields`."""
+    needs = FIELDS_BY_KEY[preferences.field].needs
+    return needs | _SMALL_MULTIPLES if preferences.shows_all_directions else needs

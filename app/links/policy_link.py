@@ -59,6 +59,11 @@ class PolicyLink:
         return self._process.pid
 
     @property
+    def is_chosen(self) -> bool:
+        """Whether there is a policy or one is being loaded."""
+        return bool(self._source)
+
+    @property
     def is_loaded(self) -> bool:
         """Whether there is a policy to ask."""
         return self._loaded is not None

@@ -1,7 +1,5 @@
 """Tab *Interact*: put up a scene, aim, push, let the agent push, watch."""
 
-import viser
-
 from app.choices import MAX_SEED, MAX_SPEED, MIN_SPEED, SCENARIOS
 from app.commands import (
     AgentPush,
@@ -16,6 +14,7 @@ from app.commands import (
 from app.panels.blocks import BlocksPanel
 from app.panels.checks import number, one_of, whole_number
 from app.panels.context import PanelContext
+from app.panels.icons import AGENT_PUSH
 from app.panels.listening import listen, on_pick, on_press, show_value
 from app.panels.marked_choice import MarkedChoice, add_switch
 from app.panels.markup import block, dimmed, escape, show
@@ -62,7 +61,7 @@ class InteractPanel:
     def _add_agent_controls(self) -> None:
         gui, context = self._context.gui, self._context
         self.policy = gui.add_dropdown("Agent", (NO_POLICY,))
-        self.agent_push = gui.add_button("Agent pushes", icon=viser.Icon.ROBOT)
+        self.agent_push = gui.add_button("Agent pushes", icon=AGENT_PUSH)
         self.watching = add_switch(
             gui, "Watch it play", lambda is_on: context.submit(SetWatching(is_on))
         )

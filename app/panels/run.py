@@ -3,8 +3,6 @@
 from collections import Counter
 from pathlib import PurePath
 
-import viser
-
 from app.choices import AGENTS, MAX_SEED, MAX_TIMESTEPS, SCENARIOS, USUAL_PUSHES
 from app.commands import (
     PauseTraining,
@@ -16,6 +14,7 @@ from app.commands import (
 )
 from app.panels.checks import one_of, whole_number
 from app.panels.context import PanelContext
+from app.panels.icons import PAUSE_TRAINING, TRAIN
 from app.panels.listening import listen, on_press, show_value
 from app.panels.markup import block, dimmed, escape, show
 from app.panels.status_text import STATE_COLOURS, age_text, progress_text
@@ -37,7 +36,7 @@ class RunPanel:
         gui = context.gui
         self.status = gui.add_html(_status_html(None))
         self.progress = gui.add_progress_bar(0.0, visible=False)
-        self.train = gui.add_button("Start training", icon=viser.Icon.PLAYER_PLAY)
+        self.train = gui.add_button("Start training", icon=TRAIN)
         self.save = context.secondary.add("Save checkpoint", disabled=True)
         self.stop = context.secondary.add("Stop after this rollout", disabled=True)
         on_press(self.train, self.train_or_pause, context.report)
@@ -108,9 +107,7 @@ class RunPanel:
         button = train_button(run)
         self.train.label = button.label
         self.train.disabled = button.action is None
-        self.train.icon = (
-            viser.Icon.PLAYER_PAUSE if button.action == "pause" else viser.Icon.PLAYER_PLAY
-        )
+        self.train.icon = PAUSE_TRAINING if button.action == "pause" else TRAIN
         self.save.disabled = state not in {"running", "paused"}
         self.stop.disabled = state not in {"running", "paused"}
         self.new.disabled = state in {"starting", "running", "pausing", "paused", "stopping"}

@@ -4,7 +4,6 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 import viser
 
 from app.views.table import MARGIN
@@ -107,56 +106,36 @@ def _fit(workspace: Workspace, aspect: float, tilt: float) -> CameraPose:
         aspect: Width of the picture over its height.
         tilt: Angle from straight down [rad].
     """
-    corners = _corners(workspace)
+    reach = workspace.half_length + MARGIN
     near, far = 0.1 * workspace.length, 100.0 * workspace.length
-    centre = 0.0
     for _ in range(40):
         middle = (near + far) / 2
-        centre = _vertical_centre(corners, middle, tilt)
-        if _overreach(corners, _pose(middle, tilt, centre), aspect) > FILL:
+        if _share_of_picture(reach, middle, tilt, aspect) > FILL:
             near = middle
         else:
             far = middle
-    return _pose(far, tilt, centre)
-
-
-def _corners(workspace: Workspace) -> npt.NDArray[np.float64]:
-    reach = workspace.half_length + MARGIN
-    return np.array([[x, y, 0.0] for x in (-reach, reach) for y in (-reach, reach)])
-
-
-def _pose(distance: float, tilt: float, centre: float) -> CameraPose:
-    y, z = -distance * math.sin(tilt), distance * math.cos(tilt)
+    centre = _vertical_centre(reach, far, tilt)
+    y, z = -far * math.sin(tilt), far * math.cos(tilt)
     return CameraPose((0.0, centre + y, z), (0.0, centre, 0.0))
 
 
-def _vertical_centre(corners: npt.NDArray[np.float64], distance: float, tilt: float) -> float:
-    """The y to look at so that the near and the far edge are equally far from the middle."""
-    low, high = float(corners[:, 1].min()), float(corners[:, 1].max())
-    for _ in range(30):
-        middle = (low + high) / 2
-        _, up = _project(corners, _pose(distance, tilt, middle))
-        if up.max() + up.min() > 0.0:
-            low = middle
-        else:
-            high = middle
-    return (low + high) / 2
+def _vertical_centre(reach: float, distance: float, tilt: float) -> float:
+    """The y to look at so that the table's near and far edge are equally far from the middle [m].
+
+    Seen from a distance d at a tilt t, y - c is drawn at (y - c) cos t / (d + (y - c) sin t); that
+    this is opposite for the edges at y = -r and y = r makes c² sin t - c d - r² sin t = 0.
+    """
+    lean = math.sin(tilt) * reach
+    return -2.0 * lean * reach / (distance + math.hypot(distance, 2.0 * lean))
 
 
-def _overreach(corners: npt.NDArray[np.float64], pose: CameraPose, aspect: float) -> float:
-    """How far the corners reach, 1 being the edge of the picture."""
-    right, up = _project(corners, pose)
-    return max(float(np.abs(right).max()) / aspect, float(np.abs(up).max()))
-
-
-def _project(
-    points: npt.NDArray[np.float64], pose: CameraPose
-) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
-    """Points in the picture: right and up, each (N,), 1 being half the picture's height."""
-    position, target = np.array(pose.position), np.array(pose.look_at)
-    forward = (target - position) / np.linalg.norm(target - position)
-    right = np.array([1.0, 0.0, 0.0])
-    up = np.cross(right, forward)
-    offset = points - position
-    depth = np.maximum(offset @ forward, 1e-6) * math.tan(FIELD_OF_VIEW / 2)
-    return (offset @ right) / depth, (offset @ up) / depth
+def _share_of_picture(reach: float, distance: float, tilt: float, aspect: float) -> float:
+    """How far the table's corners reach in the picture, 1 being its edge."""
+    above = reach - _vertical_centre(reach, distance, tilt)
+    below = 2.0 * reach - above
+    half_height = math.tan(FIELD_OF_VIEW / 2)
+    nearest = distance - below * math.sin(tilt)
+    if nearest <= 0.0:
+        return math.inf
+    up = above * math.cos(tilt) / (distance + above * math.sin(tilt))
+    return max(reach / nearest / aspect, up) / half_height

@@ -1,5 +1,7 @@
 """The table with the border, grid and axes of the workspace."""
 
+from functools import lru_cache
+
 import numpy as np
 import numpy.typing as npt
 import viser
@@ -34,7 +36,12 @@ class TableView:
         width = workspace.length + 2 * MARGIN
         colours = surface(False)
         self.top = scene.add_image(
-            "/table/top", self._print(), width, width, format="png", cast_shadow=False
+            "/table/top",
+            print_table(workspace, False),
+            width,
+            width,
+            format="png",
+            cast_shadow=False,
         )
         self._edges = scene.add_mesh_simple(
             "/table/edges",
@@ -58,12 +65,14 @@ class TableView:
         self._is_dark = is_dark
         colours = surface(is_dark)
         self._edges.color = colours.table
-        self.top.image = self._print()
+        self.top.image = print_table(self._workspace, is_dark)
         self._border.colors = np.array(colours.border, dtype=np.uint8)
 
-    def _print(self) -> npt.NDArray[np.uint8]:
-        marks = table_marks(self._workspace, MARGIN, surface(self._is_dark))
-        return np.ascontiguousarray(marks[::-1])  # viser puts row 0 at -y
+
+@lru_cache(maxsize=4)
+def print_table(workspace: Workspace, is_dark: bool) -> npt.NDArray[np.uint8]:
+    """The picture on the table, the same for all pages; row 0 at -y, as viser wants it."""
+    return np.ascontiguousarray(table_marks(workspace, MARGIN, surface(is_dark))[::-1])
 
 
 def _walls(width: float) -> tuple[npt.NDArray[np.float32], npt.NDArray[np.int32]]:

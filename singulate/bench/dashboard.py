@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from singulate.bench.dashboard_drag import drag_block
+from singulate.bench.dashboard_opening import time_opening
 from singulate.bench.dashboard_page import VIEWPORT, ClickTimes, open_page
 from singulate.bench.dashboard_process import SCENARIO, running_dashboard, running_trainer
 from singulate.bench.dashboard_socket import open_socket
@@ -38,9 +39,18 @@ def bench_dashboard(options: BenchOptions) -> Iterator[Measurement]:
         ) from None
     with tempfile.TemporaryDirectory(prefix="singulate-bench-") as temporary:
         directory = Path(temporary)
+        yield from _opening(directory, options.num_repeats)
         yield from _dragging(directory, options.num_repeats)
         yield from bench_clients(directory, options.seconds)
         yield from _beside_training(directory, options)
+
+
+def _opening(directory: Path, num_repeats: int) -> Iterator[Measurement]:
+    with running_dashboard(directory, scenario="random-2") as dashboard:
+        first, *later = [time_opening(dashboard.url, directory) for _ in range(1 + num_repeats)]
+    note = "scene and true reward are drawn; a new browser each time, software rendering"
+    yield Measurement("opening the page, first visitor", 1e3 * first, "ms", note)
+    yield from _spread("opening the page", later, note)
 
 
 def _dragging(directory: Path, num_repeats: int) -> Iterator[Measurement]:

@@ -106,6 +106,16 @@ def open_page(url: str, directory: Path, niceness: int = 0) -> Iterator["Dashboa
     Raises:
         SingulateError: If playwright or a browser is missing, or the page does not answer.
     """
+    with open_window(directory, niceness) as window:
+        window.goto(url)
+        window.wait_for_function(_IS_READY, timeout=_TIMEOUT_MS)
+        window.evaluate(_WATCH)
+        yield DashboardPage(window)
+
+
+@contextmanager
+def open_window(directory: Path, niceness: int = 0) -> Iterator["Page"]:
+    """Start a browser that has seen no page yet; see `open_page`."""
     try:
         from playwright.sync_api import Error, sync_playwright
     except ImportError:
@@ -118,11 +128,7 @@ def open_page(url: str, directory: Path, niceness: int = 0) -> Iterator["Dashboa
             browser = playwright.chromium.launch(
                 executable_path=_nice_browser(directory, niceness), args=list(_ARGUMENTS)
             )
-            page = browser.new_page(viewport={"width": width, "height": height})
-            page.goto(url)
-            page.wait_for_function(_IS_READY, timeout=_TIMEOUT_MS)
-            page.evaluate(_WATCH)
-            yield DashboardPage(page)
+            yield browser.new_page(viewport={"width": width, "height": height})
             browser.close()
     except Error as error:
         raise SingulateError(f"the page does not answer: {str(error).splitlines()[0]}") from error

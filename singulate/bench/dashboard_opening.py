@@ -1,0 +1,44 @@
+"""How soon a page that is opened shows what it is for."""
+
+from pathlib import Path
+
+from singulate.bench.dashboard_page import open_window
+
+_TIMEOUT_MS = 60_000
+
+_WATCH = """() => {
+    const isDrawn = (name) => {
+        let isFound = false;
+        window.__viserMutable?.nodeRefFromName?.[name]?.traverse((part) => {
+            const {map} = part.material ?? {};
+            isFound ||= part.isMesh && part.visible && (!map || map.image?.width > 2);
+        });
+        return isFound;
+    };
+    const look = () => {
+        if (["/table/top", "/blocks/0", "/field"].every(isDrawn)) {
+            requestAnimationFrame(() => { window.__drawnAt = performance.now(); });
+        } else {
+            requestAnimationFrame(look);
+        }
+    };
+    requestAnimationFrame(look);
+}"""
+"""A field that has not come yet is a picture of 2 pixels."""
+
+
+def time_opening(url: str, directory: Path) -> float:
+    """From the begin of a navigation until the scene with its field has been drawn [s].
+
+    Args:
+        url: Where the dashboard listens.
+        directory: For a small file that starts the browser.
+
+    Raises:
+        SingulateError: If playwright or a browser is missing, or the page does not answer.
+    """
+    with open_window(directory) as window:
+        window.add_init_script(f"({_WATCH})()")
+        window.goto(url)
+        window.wait_for_function("() => window.__drawnAt > 0", timeout=_TIMEOUT_MS)
+        return float(window.evaluate("() => window.__drawnAt")) / 1e3
