@@ -52,6 +52,11 @@ def add_parser(subparsers: "Subparsers") -> None:
         "--no-training", action="store_true", help="draw and judge what is finished"
     )
     parser.add_argument(
+        "--reuse",
+        action="store_true",
+        help="do not repeat trainings whose numbers lie in --out already",
+    )
+    parser.add_argument(
         "--out", type=Path, default=Path("static/figures"), metavar="DIR", help="(%(default)s)"
     )
     parser.add_argument(
@@ -68,7 +73,8 @@ def add_parser(subparsers: "Subparsers") -> None:
 
 def _run(args: argparse.Namespace) -> int:
     from singulate.experiments.figures.paper_figure import Sources
-    from singulate.experiments.figures.registry import parse_figures
+    from singulate.experiments.figures.published import Published
+    from singulate.experiments.figures.registry import FIGURES, parse_figures
     from singulate.experiments.reproduce import open_store, reproduce
 
     figures, is_all = parse_figures(args.figures)
@@ -79,11 +85,12 @@ def _run(args: argparse.Namespace) -> int:
         args.workers = args.jobs
     check_directory_target("out", args.out)
     check_directory_target("runs", args.runs)
+    published = Published.read(args.out, list(FIGURES)) if args.reuse else Published()
     began = time.monotonic()
     with engine_of(args, niceness=5, hang_timeout_s=float("inf")) as engine, _Bars() as bars:
         made = reproduce(
             figures,
-            Sources(plan, open_store(args.runs), engine),
+            Sources(plan, open_store(args.runs), engine, published),
             args.out,
             with_claims=is_all,
             with_training=not args.no_training,

@@ -17,6 +17,7 @@ from singulate.experiments.claims.registry import CEILING_SCENARIOS, VARIANTS, j
 from singulate.experiments.claims.table import write_claims
 from singulate.experiments.figures.paper_figure import Data, PaperFigure, Sources
 from singulate.experiments.figures.plan import Plan
+from singulate.experiments.figures.published import TRAININGS_NAME
 from singulate.experiments.figures.style import save_figure
 from singulate.experiments.figures.summaries import summarise
 from singulate.experiments.figures.variants import VARIANTS as ALL_VARIANTS
@@ -75,9 +76,10 @@ def reproduce(
     made = Reproduction()
     evidence_of_figures: dict[str, Data] = {}
     for figure in figures:
-        if with_training:
+        data = _published(figure, sources)
+        if data is None and with_training:
             _train(figure.name, figure.variants, sources, made, on_progress)
-        data = figure.measure(sources)
+        data = data or figure.measure(sources)
         if data is None:
             made.unfinished.append(figure.name)
             continue
@@ -90,6 +92,13 @@ def reproduce(
     return made
 
 
+def _published(figure: PaperFigure, sources: Sources) -> Data | None:
+    """Its numbers, if they are published together with all of its trainings."""
+    cells = [cell for name in figure.variants for cell in ALL_VARIANTS[name].cells(sources.plan)]
+    is_known = bool(cells) and sources.published.has(cells)
+    return sources.published.figures.get(figure.name) if is_known else None
+
+
 def _train(
     step: str,
     variants: Sequence[str],
@@ -98,6 +107,7 @@ def _train(
     on_progress: OnProgress,
 ) -> None:
     cells = [cell for name in variants for cell in ALL_VARIANTS[name].cells(sources.plan)]
+    cells = [cell for cell in cells if cell.key not in sources.published.summaries]
     total = sum(cell.training.total_timesteps for cell in cells)
     outcome = run_cells(
         cells,
@@ -121,8 +131,8 @@ def _judge(
         scenario: _ceiling(scenario, plan, sources.engine, out / "ceilings.json", on_progress)
         for scenario in CEILING_SCENARIOS
     }
-    evidence = Evidence(summarise(ALL_VARIANTS, plan, sources.store), figures, ceilings)
-    _write_json(out / "training.json", evidence.runs, made)
+    evidence = Evidence(summarise(ALL_VARIANTS, sources), figures, ceilings)
+    _write_json(out / TRAININGS_NAME, evidence.runs, made)
     _write_json(out / "ceilings.json", ceilings, made)
     made.claims = judge_all(evidence)
     write_claims(out, made.claims, evidence, plan)

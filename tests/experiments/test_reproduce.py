@@ -1,4 +1,5 @@
 import json
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -76,3 +77,30 @@ def test_bad_options_are_one_line(
     assert reproduce(tmp_path, *options) == 2
     error = capsys.readouterr().err
     assert text in error and error.count("\n") == 1
+
+
+def test_published_numbers_stand_for_trainings_that_are_gone(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    figures = Path(__file__).parents[2] / "static" / "figures"
+    shutil.copytree(figures, tmp_path / "figures")
+    assert reproduce(tmp_path, "fig4", "fig5", "--reuse", "--jobs", "1", "--json") == 0
+    made = json.loads(capsys.readouterr().out)
+    assert (made["num_computed"], made["unfinished"]) == (0, [])
+    for name in ("fig4", "fig5"):
+        assert read_json(tmp_path / "figures", name) == read_json(figures, name)
+    assert not any((tmp_path / "runs").iterdir())
+
+
+def test_numbers_of_other_trainings_are_not_taken(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    figures = Path(__file__).parents[2] / "static" / "figures"
+    shutil.copytree(figures, tmp_path / "figures")
+    other = ("--reuse", "--seeds", "5", "--no-training", "--jobs", "1", "--json")
+    assert reproduce(tmp_path, "fig4", "fig5", *other) == 0
+    assert json.loads(capsys.readouterr().out)["unfinished"] == ["fig4", "fig5"]
+
+
+def read_json(directory: Path, name: str) -> object:
+    return json.loads((directory / f"{name}.json").read_text())

@@ -34,7 +34,7 @@ ROWS = {"reward": "reward by Eq. 7", "success": "success"}
 
 def measure(sources: Sources) -> Data | None:
     """Curves of every seed; None before each variant has one."""
-    runs = summarise(VARIANTS, sources.plan, sources.store)
+    runs = summarise(VARIANTS, sources)
     return {"scenario": "fixed-2", "runs": runs} if all(runs.values()) else None
 
 

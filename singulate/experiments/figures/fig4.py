@@ -32,7 +32,7 @@ ROWS = {"reward": "reward by Eq. 7", "success": "success"}
 
 def measure(sources: Sources) -> Data | None:
     """Curves of every seed; None before each variant has one."""
-    runs = summarise(LINES, sources.plan, sources.store)
+    runs = summarise(LINES, sources)
     schedule = {"scenario": "fixed-2", "num_pretraining_pushes": NUM_PRETRAINING_PUSHES}
     return {**schedule, "runs": runs} if all(runs.values()) else None
 

@@ -1,12 +1,13 @@
 """What a figure of the paper consists of here."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from singulate.engine import Engine
 from singulate.experiments.cell_store import CellStore
 from singulate.experiments.figures.plan import Plan
+from singulate.experiments.figures.published import Published
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -23,11 +24,13 @@ class Sources:
         plan: How much is computed.
         store: The trainings.
         engine: Where pushes are simulated.
+        published: Trainings that are not there, but whose numbers are.
     """
 
     plan: Plan
     store: CellStore
     engine: Engine
+    published: Published = field(default_factory=Published)
 
 
 @dataclass(frozen=True)
