@@ -22,6 +22,7 @@ from app.panels.notices import NoticesView
 from app.panels.paper import PaperPanel
 from app.panels.run import RunPanel
 from app.panels.secondary import SecondaryButtons
+from app.panels.sight import FIELDS, STARTS, TABLE, TRAINING, Sight
 from app.panels.starts import StartsPanel
 from app.panels.training import TrainingPanel
 from app.panels.watch import Throttle, Watch
@@ -64,6 +65,7 @@ class ClientPage:
             client.gui, submit, self.preferences, self._report, self._secondary, name
         )
         self._theme_watch = Watch()
+        self._sight = Sight(client, self._report)
         with client.atomic():
             self._add_left()
             self._add_right()
@@ -85,10 +87,13 @@ class ClientPage:
         with panel.add_tab("Interact"):
             self._interact = InteractPanel(self._context)
         with panel.add_tab("Fields"):
+            self._sight.mark(FIELDS)
             self._fields = FieldsPanel(self._context)
         with panel.add_tab("Training"):
+            self._sight.mark(TRAINING)
             self._training = TrainingPanel(self._context)
         with panel.add_tab("Starts"):
+            self._sight.mark(STARTS)
             self._starts = StartsPanel(self._context)
         with panel.add_tab("Paper"):
             PaperPanel(self._context)
@@ -126,7 +131,9 @@ class ClientPage:
     @property
     def wanted_fields(self) -> frozenset[str]:
         """What has to be computed for this client's view."""
-        return computed_fields(self.preferences)
+        if not self._sight.shows(TABLE):
+            return frozenset()
+        return computed_fields(self.preferences, self._sight.shows(FIELDS))
 
     @property
     def direction(self) -> Direction:
@@ -164,10 +171,14 @@ class ClientPage:
         self._notices.update(snapshot)
         self._run.update(snapshot)
         self._interact.update(snapshot)
-        self._update_draped(snapshot, now)
-        self._fields.update(snapshot, self._draped, now)
-        self._training.update(snapshot, now)
-        self._starts.update(snapshot, now)
+        if self._sight.shows(TABLE):
+            self._update_draped(snapshot, now)
+        if self._sight.shows(FIELDS):
+            self._fields.update(snapshot, self._draped, now)
+        if self._sight.shows(TRAINING):
+            self._training.update(snapshot, now)
+        if self._sight.shows(STARTS):
+            self._starts.update(snapshot, now)
 
     def close(self) -> None:
         """Let go of what was last drawn; viser drops the widgets with the connection."""

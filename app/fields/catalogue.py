@@ -125,7 +125,13 @@ FIELDS_BY_KEY = {kind.key: kind for kind in FIELD_KINDS}
 FIELDS_BY_LABEL = {kind.label: kind for kind in FIELD_KINDS}
 
 
-def computed_fields(preferences: Preferences) -> frozenset[str]:
-    """What has to be computed for a person's view, names of `Laboratory.set_wanted_fields`."""
+def computed_fields(preferences: Preferences, sees_multiples: bool = True) -> frozenset[str]:
+    """What has to be computed for a person's view, names of `Laboratory.set_wanted_fields`.
+
+    Args:
+        preferences: The person's choices.
+        sees_multiples: Whether the tab with all directions is open.
+    """
     needs = FIELDS_BY_KEY[preferences.field].needs
-    return needs | _SMALL_MULTIPLES if preferences.shows_all_directions else needs
+    is_all_shown = sees_multiples and preferences.shows_all_directions
+    return needs | _SMALL_MULTIPLES if is_all_shown else needs

@@ -2,10 +2,18 @@
 
 from collections.abc import Callable, Sequence
 from typing import Any
+from weakref import WeakValueDictionary
 
 import viser
 
 from app.security.conformance import is_number, is_text, is_whole
+
+_carriers: "WeakValueDictionary[str, Any]" = WeakValueDictionary()
+
+
+def let_scripts_set(handle: Any) -> None:
+    """Accept values for a hidden input: a script of the page sets it, and nobody by hand."""
+    _carriers[handle._impl.uuid] = handle
 
 
 def is_allowed_value(handle: Any, value: object) -> bool:
@@ -19,9 +27,11 @@ def is_allowed_value(handle: Any, value: object) -> bool:
         value: What a browser wants it to become, as msgpack decodes it.
 
     Returns:
-        False also for disabled, hidden and removed inputs and for kinds that the page never uses.
+        False also for disabled, removed and hidden inputs (but see `let_scripts_set`) and for kinds
+        that the page never uses.
     """
-    if handle._impl.removed or handle.disabled or not handle.visible:
+    is_shown = handle.visible or handle._impl.uuid in _carriers
+    if handle._impl.removed or handle.disabled or not is_shown:
         return False
     return any(isinstance(handle, kind) and check(handle, value) for kind, check in _CHECKS.items())
 

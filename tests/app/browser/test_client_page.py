@@ -3,7 +3,7 @@
 import statistics
 import time
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import pytest
@@ -166,7 +166,6 @@ def test_an_update_without_news_is_cheap_and_leaves_the_picture_alone(
     stage.play(0.5)
     draped = page.draped
     assert draped is not None
-    assert page.wanted_fields == {"reward_map", "q_map", "start_density"}
     costs = []
     for _ in range(100):
         start = time.perf_counter()
@@ -175,9 +174,38 @@ def test_an_update_without_news_is_cheap_and_leaves_the_picture_alone(
     assert statistics.median(costs) < 0.002 * pace
     assert page.draped is draped
     page.preferences.field = "none"
-    page.preferences.shows_all_directions = False
     assert page.wanted_fields == set()
     stage.until(lambda: page.draped is None)
+    page.preferences.field = "reward"
+
+
+def test_only_what_can_be_seen_is_wanted_and_drawn(stage: Stage) -> None:
+    page = stage.page
+    assert page is not None
+    stage.until(lambda: page.wanted_fields == {"reward_map"})
+    before = page._fields.q.content
+    policy = stage.snapshot.policy
+    assert policy is not None and policy.q_map is not None
+    stage.snapshot = replace(stage.snapshot, policy=replace(policy, q_map=policy.q_map + 1.0))
+    stage.play(0.5)
+    assert page._fields.q.content == before
+
+    stage.window.get_by_role("tab", name="Fields").click()
+    stage.until(lambda: page.wanted_fields == {"reward_map", "q_map", "start_density"})
+    stage.until(lambda: page._fields.q.content != before)
+    page.preferences.shows_all_directions = False
+    assert page.wanted_fields == {"reward_map"}
+    page.preferences.shows_all_directions = True
+
+    look_away = "Object.defineProperty(document, 'hidden', {configurable: true, value: true})"
+    stage.window.evaluate(look_away)
+    stage.until(lambda: page.wanted_fields == set())
+    stage.window.evaluate("delete document.hidden")
+    stage.window.get_by_role("tab", name="Interact").click()
+    stage.until(lambda: page.wanted_fields == {"reward_map"})
+    stage.send(page._sight._carrier, "table moon")
+    stage.until(lambda: stage.says("is not allowed"))
+    assert page.wanted_fields == {"reward_map"}
 
 
 def test_a_click_inspects_only_where_it_was_asked_to(stage: Stage) -> None:

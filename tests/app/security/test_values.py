@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from app.security.values import is_allowed_value
+from app.security.values import is_allowed_value, let_scripts_set
 
 MAKERS: dict[str, tuple[Callable[[Any], Any], tuple[object, ...], tuple[object, ...]]] = {
     "button": (lambda gui: gui.add_button("b"), (True,), (False, 1, "yes")),
@@ -48,3 +48,11 @@ def test_removed_and_disabled_inputs_take_nothing(door: Any) -> None:
     box.disabled = False
     box.remove()
     assert not is_allowed_value(box, True)
+
+
+def test_hidden_inputs_take_nothing_but_from_scripts_of_the_page(door: Any) -> None:
+    text = door.server.gui.add_text("t", "", visible=False)
+    assert not is_allowed_value(text, "abc")
+    let_scripts_set(text)
+    assert is_allowed_value(text, "abc")
+    assert not is_allowed_value(text, 1)
