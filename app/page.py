@@ -24,6 +24,7 @@ from app.panels.run import RunPanel
 from app.panels.secondary import SecondaryButtons
 from app.panels.sight import FIELDS, STARTS, TABLE, TRAINING, Sight
 from app.panels.starts import StartsPanel
+from app.panels.table_legend import TableLegend
 from app.panels.training import TrainingPanel
 from app.panels.watch import Throttle, Watch
 from app.preferences import Preferences
@@ -81,6 +82,7 @@ class ClientPage:
         self._notices = NoticesView(self._context)
         self._run = RunPanel(self._context)
         self._theme = add_switch(gui, "Theme", self._set_light, ("light", "dark"))
+        self._legend = TableLegend(self._context)
 
     def _add_right(self) -> None:
         panel = self._client.gui.add_panel()
@@ -173,8 +175,9 @@ class ClientPage:
         self._interact.update(snapshot)
         if self._sight.shows(TABLE):
             self._update_draped(snapshot, now)
+            self._legend.update(snapshot, self._draped)
         if self._sight.shows(FIELDS):
-            self._fields.update(snapshot, self._draped, now)
+            self._fields.update(snapshot, now)
         if self._sight.shows(TRAINING):
             self._training.update(snapshot, now)
         if self._sight.shows(STARTS):

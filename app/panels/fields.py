@@ -8,7 +8,6 @@ import viser
 
 from app.fields.catalogue import FIELD_KINDS, FIELDS_BY_KEY, FIELDS_BY_LABEL, FieldKind
 from app.fields.drape import span_of
-from app.fields.draped import DrapedField
 from app.fields.field_image import Span, field_image, picture_image, value_span
 from app.panels.checks import number, one_of
 from app.panels.context import PanelContext
@@ -27,7 +26,7 @@ PICTURE_INTERVAL = 0.25
 
 
 class FieldsPanel:
-    """Choice of the draped field, its legend, small multiples and inspection."""
+    """Choice of the draped field, small multiples and inspection."""
 
     def __init__(self, context: PanelContext) -> None:
         self._context = context
@@ -41,7 +40,6 @@ class FieldsPanel:
         self.choice = gui.add_dropdown("Direction", CHOICES, initial_value=preferences.choice)
         self._opacity = gui.add_slider("Opacity", 0.0, 1.0, 0.05, preferences.opacity)
         self._span = gui.add_dropdown("Colours span", SPANS, initial_value=preferences.span)
-        self.legend = gui.add_html(block(dimmed("Nothing on the table.")))
         self._inspects = add_switch(
             gui, "A click", _keep(preferences, "click_inspects"), ("inspects", "pushes")
         )
@@ -72,11 +70,9 @@ class FieldsPanel:
         index = (keys.index(self._context.preferences.field) + by) % len(keys)
         self._context.preferences.field = keys[index]
 
-    def update(self, snapshot: Snapshot, draped: DrapedField | None, now: float) -> None:
-        """Show a snapshot; `draped` is what lies on this client's table."""
-        preferences = self._context.preferences
+    def update(self, snapshot: Snapshot, now: float) -> None:
+        """Show a snapshot."""
         self._update_form()
-        show(self.legend, _legend_html(snapshot, preferences.field, draped))
         if not self._throttle.is_due(now):
             return
         self._update_inspection(snapshot)
@@ -173,19 +169,3 @@ def _missing_text(kind: FieldKind, snapshot: Snapshot, line: str) -> str:
     if kind.key == "q" and policy is not None and policy.start_density is not None:
         return f"{policy.kind} has no Q values; it says where it starts: see its start density."
     return line
-
-
-def _legend_html(snapshot: Snapshot, key: str, draped: DrapedField | None) -> str:
-    kind = FIELDS_BY_KEY[key]
-    if key == "none":
-        return block(dimmed("Nothing lies on the table."))
-    notes = []
-    if "reward_map" in kind.needs:
-        notes.append(reward_map_line(snapshot))
-    if kind.needs & {"q_map", "start_density"}:
-        notes.append(policy_line(snapshot))
-    if draped is None:
-        return block(title(kind.label, "nothing to show yet"), *map(dimmed, notes))
-    if len(notes) == 1:
-        return block(title(draped.label, notes[0]), draped.legend)
-    return block(title(draped.label), draped.legend, *map(dimmed, notes))

@@ -20,7 +20,6 @@ def shown_resolution(page: Any) -> int:
 
 def test_true_rewards_follow_a_dragged_block_coarse_first(page: Any) -> None:
     before, camera = page.position("/blocks/0"), page.camera
-    page.tab("Fields")
     page.wait(lambda: shown_resolution(page) > 0)
     page.grab_block(0)
     for place in ((-0.6, 0.5), (0.5, 0.6)):
@@ -28,7 +27,6 @@ def test_true_rewards_follow_a_dragged_block_coarse_first(page: Any) -> None:
         page.wait(lambda: shown_resolution(page) > 0)
     page.wait(lambda: shown_resolution(page) == 64 and "% done" not in page.text)
     page.page.mouse.up()
-    page.tab("Interact")
     page.wait_for_text("rearranged")
     assert page.camera == pytest.approx(camera), "the drag moved the camera too"
     page.press("z")

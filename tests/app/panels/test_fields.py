@@ -1,47 +1,39 @@
 from dataclasses import replace
 
 from app.fields.catalogue import FIELD_KINDS
-from app.fields.drape import drape
 from app.panels.fields import FieldsPanel
 from app.snapshot import Snapshot
 
 
-def show(panel, context, snapshot, now):
-    draped = drape(snapshot, context.preferences, context.workspace)
-    panel.update(snapshot, draped, now)
-
-
 def test_truth_belief_and_inputs_are_drawn(context, make_snapshot):
     panel = FieldsPanel(context)
-    show(panel, context, make_snapshot(), 0.0)
+    panel.update(make_snapshot(), 0.0)
     assert panel.reward.content.count("<img") == 4
     assert panel.q.content.count("<img") == 4
     assert panel.inputs.content.count("<img") == 4
     assert "Starts, 1 mode" in panel.inputs.content
     assert panel.inputs.content.count("border-radius:50%") == 1
-    assert "True reward, best direction" in panel.legend.content
-    assert "25 % done" in panel.legend.content
 
 
 def test_nothing_is_drawn_again_without_a_change(context, make_snapshot):
     panel = FieldsPanel(context)
     snapshot = make_snapshot()
-    show(panel, context, snapshot, 0.0)
+    panel.update(snapshot, 0.0)
     before = panel.reward.content
-    show(panel, context, snapshot, 1.0)
+    panel.update(snapshot, 1.0)
     assert panel.reward.content is before
 
 
 def test_pictures_change_at_most_four_times_a_second(context, make_snapshot):
     panel = FieldsPanel(context)
     snapshot = make_snapshot()
-    show(panel, context, snapshot, 0.0)
+    panel.update(snapshot, 0.0)
     before = panel.reward.content
     finer = replace(snapshot.reward_map, progress=0.5)
     changed = replace(snapshot, reward_map=finer)
-    show(panel, context, changed, 0.1)
+    panel.update(changed, 0.1)
     assert panel.reward.content is before
-    show(panel, context, changed, 0.3)
+    panel.update(changed, 0.3)
     assert "50 %" in panel.reward.content
 
 
@@ -59,7 +51,7 @@ def test_turning_pages_visits_every_field_and_comes_back(context):
 def test_the_form_follows_the_keys(context, make_snapshot):
     panel = FieldsPanel(context)
     context.preferences.field = "camera"
-    show(panel, context, make_snapshot(), 0.0)
+    panel.update(make_snapshot(), 0.0)
     assert panel.field.value == "Camera image"
     assert not panel.choice.visible
 
@@ -67,7 +59,7 @@ def test_the_form_follows_the_keys(context, make_snapshot):
 def test_hidden_directions_are_not_drawn(context, make_snapshot):
     panel = FieldsPanel(context)
     context.preferences.shows_all_directions = False
-    show(panel, context, make_snapshot(), 0.0)
+    panel.update(make_snapshot(), 0.0)
     assert not panel.reward.visible and not panel.q.visible
     assert panel.reward.content == ""
 
@@ -75,7 +67,7 @@ def test_hidden_directions_are_not_drawn(context, make_snapshot):
 def test_ranges_of_their_own_give_each_picture_a_legend(context, make_snapshot):
     panel = FieldsPanel(context)
     context.preferences.span = "each field"
-    show(panel, context, make_snapshot(), 0.0)
+    panel.update(make_snapshot(), 0.0)
     assert panel.reward.content.count("singulate-legend") == 4
 
 
@@ -83,23 +75,23 @@ def test_an_agent_without_q_values_says_so(context, make_snapshot):
     panel = FieldsPanel(context)
     snapshot = make_snapshot()
     policy = replace(snapshot.policy, kind="ppo", q_map=None)
-    show(panel, context, replace(snapshot, policy=policy), 0.0)
+    panel.update(replace(snapshot, policy=policy), 0.0)
     assert "ppo has no Q values" in panel.q.content
 
 
 def test_an_inspected_place_is_listed(context, make_snapshot):
     panel = FieldsPanel(context)
-    show(panel, context, make_snapshot(), 0.0)
+    panel.update(make_snapshot(), 0.0)
     assert not panel.inspection.visible
     context.preferences.click_inspects = True
     context.preferences.inspected = (0.5, 0.5)
-    show(panel, context, make_snapshot(), 1.0)
+    panel.update(make_snapshot(), 1.0)
     assert panel.inspection.visible
     assert "(0.50, 0.50) m" in panel.inspection.content
 
 
 def test_an_empty_laboratory_is_shown_quietly(context):
     panel = FieldsPanel(context)
-    show(panel, context, Snapshot(None, None, None, None), 0.0)
+    panel.update(Snapshot(None, None, None, None), 0.0)
     assert "not computed yet" in panel.reward.content
     assert "no agent loaded" in panel.q.content
