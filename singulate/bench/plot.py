@@ -68,7 +68,7 @@ def _draw(panel: "Axes", axis: str, name: str, points: list[Measurement]) -> Non
     panel.set_ylabel(points[0].unit, fontsize=9)
     panel.set_xticks(at, [f"{each:g}" for each in at], fontsize=9)
     panel.tick_params(axis="y", labelsize=9)
-    panel.set_ylim(0.0, 1.12 * max(*values, 1e-9))
+    panel.set_ylim(0.0, 1.12 * max(values) or 1.0)
     panel.margins(x=0.08)
     panel.grid(axis="y", color="#dddddd", linewidth=0.8)
     panel.set_axisbelow(True)
