@@ -35,10 +35,10 @@ def prepare_opening(laboratory: Laboratory, workspace: Workspace, stop: threadin
     give_up = time.monotonic() + LONGEST_PREPARATION_S
     while not stop.is_set() and time.monotonic() < give_up:
         snapshot = laboratory.tick()
-        if _is_complete(snapshot, wanted, laboratory.has_policy):
-            return True
         if snapshot.notices:
             return False
+        if _is_complete(snapshot, wanted, laboratory.has_policy):
+            return True
         laboratory.wait(_POLL_S)
     return False
 

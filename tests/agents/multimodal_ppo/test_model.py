@@ -12,6 +12,8 @@ from singulate.agents.multimodal_ppo.model import MultimodalPPO, build_model
 
 SIDES = ((-0.5, 0.1, 0), (0.6, -0.3, 3))
 """Two pushes, x / l, y / l and direction, that pay alike."""
+CHANCE = 0.25 / 4 / 4
+"""Share of uniformly random pushes that one of them gets: a quarter of each axis, a direction."""
 
 
 class TwoTargets(gym.Env[np.ndarray, np.ndarray]):
@@ -49,7 +51,7 @@ def make_model() -> Any:
 
 def test_it_learns_both_of_two_pushes_that_pay(make_model: Any) -> None:
     """A Gaussian could cover one of them, or the useless middle."""
-    model = make_model(learning_rate=3e-3, anneal_steps=3000, ent_coef=0.1, final_ent_coef=0.1)
+    model = make_model(learning_rate=3e-3, anneal_steps=3000, ent_coef=0.3, final_ent_coef=0.3)
     model.learn(3000)
     observation = torch.as_tensor(model.get_env().reset())
     distribution = model.policy.get_distribution(observation.expand(2000, -1, -1))
@@ -57,7 +59,7 @@ def test_it_learns_both_of_two_pushes_that_pay(make_model: Any) -> None:
     direction = ((pushes[:, 2] + 1) * 2).long()
     for x, y, side in SIDES:
         near = (pushes[:, :2] - torch.tensor([x, y])).abs().amax(dim=1) < 0.25
-        assert (near & (direction == side)).float().mean() > 0.2, side
+        assert (near & (direction == side)).float().mean() > 5 * CHANCE, side
 
 
 def test_schedules_depend_on_the_pushes_alone(make_model: Any) -> None:

@@ -101,7 +101,9 @@ def test_a_saved_policy_pushes_as_before(
     assert np.array_equal(loaded.start_density(observation), policy.start_density(observation))
 
 
-def test_acting_takes_less_than_5_ms_of_one_core(observation: npt.NDArray[np.float32]) -> None:
+def test_acting_takes_less_than_5_ms_of_one_core(
+    observation: npt.NDArray[np.float32], pace: float
+) -> None:
     policy = build_policy(MultimodalPPOConfig(), EnvConfig("random-2"))
     policy.act(observation)
     spent = []
@@ -109,4 +111,4 @@ def test_acting_takes_less_than_5_ms_of_one_core(observation: npt.NDArray[np.flo
         began = time.process_time()
         policy.act(observation)
         spent.append(time.process_time() - began)
-    assert np.median(spent) < 5e-3
+    assert np.median(spent) < 5e-3 * pace

@@ -75,7 +75,7 @@ def test_a_mask_is_worth_what_its_distance_map_is(
 
 @pytest.mark.slow
 @pytest.mark.parametrize("scenario", ["random-2", "random-3", "cluster-5"])
-def test_acting_takes_less_than_5_ms_on_one_core(scenario: str) -> None:
+def test_acting_takes_less_than_5_ms_on_one_core(scenario: str, pace: float) -> None:
     policy = build_policy(SpatialConfig(), EnvConfig("random-2"))
     num_threads = torch.get_num_threads()
     torch.set_num_threads(1)
@@ -88,4 +88,4 @@ def test_acting_takes_less_than_5_ms_on_one_core(scenario: str) -> None:
         times.append(time.process_time() - began)
     env.close()
     torch.set_num_threads(num_threads)
-    assert np.median(times) < 5e-3
+    assert np.median(times) < 5e-3 * pace
