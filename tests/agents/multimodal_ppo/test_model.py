@@ -51,15 +51,18 @@ def make_model() -> Any:
 
 def test_it_learns_both_of_two_pushes_that_pay(make_model: Any) -> None:
     """A Gaussian could cover one of them, or the useless middle."""
-    model = make_model(learning_rate=3e-3, anneal_steps=3000, ent_coef=0.3, final_ent_coef=0.3)
+    model = make_model(learning_rate=3e-3, anneal_steps=3000, ent_coef=0.5, final_ent_coef=0.1)
     model.learn(3000)
     observation = torch.as_tensor(model.get_env().reset())
     distribution = model.policy.get_distribution(observation.expand(2000, -1, -1))
     pushes = distribution.sample()
     direction = ((pushes[:, 2] + 1) * 2).long()
+    shares = []
     for x, y, side in SIDES:
         near = (pushes[:, :2] - torch.tensor([x, y])).abs().amax(dim=1) < 0.25
-        assert (near & (direction == side)).float().mean() > 5 * CHANCE, side
+        shares.append(float((near & (direction == side)).float().mean()))
+    assert min(shares) > 10 * CHANCE, "one of them is lost"
+    assert sum(shares) > 0.5, "most pushes still miss both"
 
 
 def test_schedules_depend_on_the_pushes_alone(make_model: Any) -> None:

@@ -101,7 +101,6 @@ def test_a_saved_policy_pushes_as_before(
     assert np.array_equal(loaded.start_density(observation), policy.start_density(observation))
 
 
-@pytest.mark.slow
 def test_acting_takes_less_than_5_ms_of_one_core(
     observation: npt.NDArray[np.float32], pace: float
 ) -> None:
