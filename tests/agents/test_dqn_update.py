@@ -7,7 +7,7 @@ from stable_baselines3.common.logger import Logger
 from stable_baselines3.common.vec_env import DummyVecEnv
 
 from singulate.agents.dqn.config import DQNConfig
-from singulate.agents.dqn.model import GridDQN, build_model
+from singulate.agents.dqn.model import GridDQN, build_model, network_of
 from singulate.agents.reward_scale import ScaledReward
 from singulate.envs import PushEnv
 
@@ -45,6 +45,31 @@ def test_an_update_is_that_of_stable_baselines3_bit_for_bit(
     assert all(torch.equal(one, other) for one, other in pairs)
     assert not any(torch.equal(one, new) for one, (new, _) in zip(before, pairs, strict=True))
     assert ours.logger.name_to_value["train/loss"] == theirs.logger.name_to_value["train/loss"]
+
+
+def test_what_acts_after_training_is_the_running_average_of_the_network() -> None:
+    tau = 0.25
+    config = DQNConfig(
+        net_arch=(8,), batch_size=4, buffer_size=64, learning_starts=4, gradient_steps=1,
+        tau=tau, target_update_interval=1,
+    )  # fmt: skip
+    env = PushEnv(scenario="random-2", action="grid")
+    model = build_model(config, DummyVecEnv([lambda: ScaledReward(env)]), "distance_map", seed=3)
+    expected = _flat(model.q_net)
+
+    def follow(*_: object) -> bool:
+        nonlocal expected
+        expected = expected + tau * (_flat(model.q_net) - expected)
+        return True
+
+    model.learn(12, callback=follow)
+    env.close()
+    assert torch.allclose(_flat(network_of(model)), expected, atol=1e-6)
+    assert not torch.allclose(_flat(model.q_net), expected, atol=1e-4)
+
+
+def _flat(network: torch.nn.Module) -> torch.Tensor:
+    return torch.nn.utils.parameters_to_vector(network.parameters()).detach().clone()
 
 
 def _silent() -> Logger:

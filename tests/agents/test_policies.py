@@ -15,9 +15,9 @@ CONFIGS = {
 }
 
 
-def _policy(name: str) -> Policy:
+def _policy(name: str, **settings: object) -> Policy:
     kind = agent_kind(name)
-    return kind.build_policy(kind.make_config({}), CONFIGS[name])[0]
+    return kind.build_policy(kind.make_config(settings), CONFIGS[name])[0]
 
 
 @pytest.mark.parametrize("name", CONFIGS)
@@ -45,6 +45,17 @@ def test_dqn_pushes_where_its_q_map_is_highest() -> None:
     assert push.nearest_direction == Direction(direction)
     assert push.start == pytest.approx((-0.9 + 0.2 * col, 0.9 - 0.2 * row))
     assert policy.predict_value(observation, push) == pytest.approx(values.max())
+
+
+def test_symmetric_values_turn_with_the_scene() -> None:
+    policy = _policy("dqn", symmetric_values=True)
+    assert isinstance(policy, HasQMap)
+    scene = np.random.default_rng(1).uniform(0, 40, (64, 64)).astype(np.float32)
+    values = policy.q_map(scene)
+    turned = policy.q_map(np.rot90(scene))
+    assert np.ptp(values) > 0
+    up, left = Direction.UP, Direction.LEFT
+    assert np.allclose(turned[left], np.rot90(values[up]), atol=1e-4)
 
 
 def test_dqn_explores_with_a_generator() -> None:

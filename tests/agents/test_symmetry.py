@@ -1,7 +1,13 @@
 import numpy as np
 import pytest
 
-from singulate.agents.dqn.symmetry import NUM_SYMMETRIES, action_table, transform_images
+from singulate.agents.dqn.symmetry import (
+    NUM_SYMMETRIES,
+    action_table,
+    mean_of_copies,
+    symmetric_copies,
+    transform_images,
+)
 from singulate.geometry import Direction
 
 
@@ -33,6 +39,26 @@ def test_a_push_is_drawn_where_its_action_goes(symmetry: int) -> None:
 @pytest.mark.parametrize("symmetry", range(NUM_SYMMETRIES))
 def test_every_symmetry_permutes_the_actions(symmetry: int) -> None:
     assert sorted(action_table(10)[symmetry]) == list(range(400))
+
+
+def test_values_of_symmetric_copies_are_averaged_push_by_push() -> None:
+    """A network that is symmetric gives each copy the same values, moved: their mean is its own."""
+    rng = np.random.default_rng(3)
+    values = rng.normal(size=400).astype(np.float32)
+    table = action_table(10)
+    of_copies = np.empty((NUM_SYMMETRIES, 400), dtype=np.float32)
+    for symmetry in range(NUM_SYMMETRIES):
+        of_copies[symmetry, table[symmetry]] = values
+    assert np.allclose(mean_of_copies(of_copies), values)
+    of_copies[5] += 8.0
+    assert np.allclose(mean_of_copies(of_copies), values + 1.0)
+
+
+def test_copies_of_a_picture_are_its_eight_symmetries() -> None:
+    picture = np.random.default_rng(4).normal(size=(1, 6, 6)).astype(np.float32)
+    copies = symmetric_copies(picture)
+    assert len({copy.tobytes() for copy in copies}) == NUM_SYMMETRIES
+    assert np.array_equal(copies[1], np.rot90(picture[0]))
 
 
 def _draw(action: int, cells: int) -> np.ndarray:

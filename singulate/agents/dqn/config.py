@@ -23,12 +23,17 @@ class DQNConfig:
         batch_size: Pushes an update.
         gradient_steps: Updates a push.
         gamma: Discount from one push to the next.
-        target_update_interval: Pushes between copies of the network into the target network;
-            without effect on one-push episodes.
+        target_update_interval: Pushes between updates of the target network, which does not affect
+            what is learnt from one-push episodes.
+        tau: How far each of them goes from the target network to the network. Below 1 the target
+            network is a running average of the network (Polyak), and that is what acts once
+            training is over: it does not shake with the last few updates.
         exploration_steps: Pushes over which the exploration rate falls from 1 to its final value.
         exploration_final_eps: Exploration rate from then on.
         symmetries: Replay each push turned and mirrored at random: the table looks and behaves the
             same in all eight symmetries of the square.
+        symmetric_values: Act, once training is over, on the mean of the values that the network
+            gives to the eight symmetric copies of a scene.
     """
 
     learning_rate: float = 5e-4
@@ -39,9 +44,11 @@ class DQNConfig:
     gradient_steps: int = 2
     gamma: float = 0.9
     target_update_interval: int = 500
+    tau: float = 1.0
     exploration_steps: int = 6_000
     exploration_final_eps: float = 0.05
     symmetries: bool = True
+    symmetric_values: bool = False
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "net_arch", check_net_arch("net_arch", self.net_arch))
@@ -52,6 +59,8 @@ class DQNConfig:
         check_int("gradient_steps", self.gradient_steps, 1, 1000)
         check_number("gamma", self.gamma, 0.0, 1.0)
         check_int("target_update_interval", self.target_update_interval, 1)
+        check_positive("tau", self.tau, 1.0)
         check_int("exploration_steps", self.exploration_steps, 1)
         check_number("exploration_final_eps", self.exploration_final_eps, 0.0, 1.0)
         check_bool("symmetries", self.symmetries)
+        check_bool("symmetric_values", self.symmetric_values)

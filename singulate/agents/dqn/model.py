@@ -97,6 +97,7 @@ def build_model(config: DQNConfig, env: VecEnv, observation: str, seed: int) -> 
         replay_buffer_class=SymmetricReplayBuffer,
         replay_buffer_kwargs={"seed": seed, "symmetries": config.symmetries},
         target_update_interval=config.target_update_interval,
+        tau=config.tau,
         exploration_final_eps=config.exploration_final_eps,
         exploration_steps=config.exploration_steps,
         policy_kwargs=network_arguments(config, observation),
@@ -115,5 +116,5 @@ def network_arguments(config: DQNConfig, observation: str) -> dict[str, object]:
 
 
 def network_of(model: GridDQN) -> torch.nn.Module:
-    """The part of a model that acting needs: its Q network."""
-    return model.q_net
+    """The part of a model that acting needs: its Q network, averaged if that is its way."""
+    return model.q_net if model.tau == 1.0 else model.q_net_target

@@ -9,6 +9,7 @@ from stable_baselines3.dqn.policies import DQNPolicy
 
 from singulate.agents.dqn.config import DQNConfig
 from singulate.agents.dqn.model import network_arguments
+from singulate.agents.dqn.symmetry import mean_of_copies, symmetric_copies
 from singulate.agents.policy import FloatMap
 from singulate.agents.reward_scale import REWARD_SCALE
 from singulate.envs import EnvConfig, GridActions, make_observation
@@ -30,6 +31,7 @@ class GridPolicy:
         self.workspace = workspace
         self._encoding = GridActions(workspace)
         self._exploration_rate = config.exploration_final_eps
+        self._is_symmetric = config.symmetric_values
         policy = DQNPolicy(
             make_observation(env_config.observation, workspace).space,
             self._encoding.space,
@@ -57,10 +59,12 @@ class GridPolicy:
         return values.reshape(4, cells, cells).astype(np.float32)
 
     def _values(self, observation: FloatMap) -> npt.NDArray[np.float32]:
-        batch = torch.as_tensor(np.asarray(observation, dtype=np.float32)[None])
+        images = np.asarray(observation, dtype=np.float32)[None]
+        if self._is_symmetric:
+            images = symmetric_copies(images)
         with torch.no_grad():
-            values: npt.NDArray[np.float32] = self.network(batch)[0].numpy()
-        return values
+            values: npt.NDArray[np.float32] = self.network(torch.as_tensor(images)).numpy()
+        return mean_of_copies(values) if self._is_symmetric else values[0]
 
 
 def build_policy(

@@ -1,5 +1,8 @@
 """The eight symmetries of the square table, on images and on discrete pushes."""
 
+import functools
+import math
+
 import numpy as np
 import numpy.typing as npt
 
@@ -40,3 +43,31 @@ def action_table(num_cells: int) -> npt.NDArray[np.int64]:
             start = direction * num_cells**2
             table[symmetry, start : start + num_cells**2] = new_direction * num_cells**2 + new_cell
     return table
+
+
+def symmetric_copies(images: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
+    """All symmetric copies of one image.
+
+    Args:
+        images: float32 (1, H, H).
+
+    Returns:
+        float32 (8, H, H).
+    """
+    return np.concatenate([transform_images(images, index) for index in range(NUM_SYMMETRIES)])
+
+
+def mean_of_copies(values: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
+    """One value for each discrete push from those of all symmetric copies of its scene.
+
+    Args:
+        values: float32 (8, 4 * num_cells ** 2), in the order of `symmetric_copies`.
+
+    Returns:
+        float32 (4 * num_cells ** 2,), for the scene as it is.
+    """
+    table = _cached_action_table(math.isqrt(values.shape[1] // 4))
+    return np.take_along_axis(values, table, axis=1).mean(axis=0)
+
+
+_cached_action_table = functools.cache(action_table)
