@@ -1,4 +1,4 @@
-"""The table with the border, grid and axes of the workspace."""
+"""The table with the marks of the workspace."""
 
 from functools import lru_cache
 
@@ -13,14 +13,14 @@ from singulate.geometry import Workspace
 MARGIN = 0.14
 """How far the table reaches beyond the workspace [m]."""
 _THICKNESS = 0.05
-_BORDER_HEIGHT = 0.004
 
 
 class TableView:
     """The table in one browser; its theme is that browser's.
 
     The top is one printed sheet and the edges are walls around nothing: a computer without a GPU
-    pays for every layer that covers the picture.
+    pays for every layer that covers the picture, and for every kind of surface when a page opens
+    (the walls are shaded like blocks).
 
     Args:
         scene: The browser's own scene.
@@ -47,15 +47,8 @@ class TableView:
             "/table/edges",
             *_walls(width),
             color=colours.table,
-            side="double",
+            flat_shading=True,
             cast_shadow=False,
-        )
-        self._border = scene.add_line_segments(
-            "/table/border",
-            _border(workspace),
-            colours.border,
-            thickness=0.006,
-            thickness_units="world",
         )
 
     def update(self, is_dark: bool) -> None:
@@ -63,10 +56,8 @@ class TableView:
         if is_dark == self._is_dark:
             return
         self._is_dark = is_dark
-        colours = surface(is_dark)
-        self._edges.color = colours.table
+        self._edges.color = surface(is_dark).table
         self.top.image = print_table(self._workspace, is_dark)
-        self._border.colors = np.array(colours.border, dtype=np.uint8)
 
 
 @lru_cache(maxsize=4)
@@ -76,17 +67,10 @@ def print_table(workspace: Workspace, is_dark: bool) -> npt.NDArray[np.uint8]:
 
 
 def _walls(width: float) -> tuple[npt.NDArray[np.float32], npt.NDArray[np.int32]]:
-    """Vertices (8, 3) and triangles (8, 3) of the four edges."""
+    """Vertices (8, 3) and triangles (8, 3) of the four edges, seen from outside."""
     square = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]], dtype=np.float32) * width / 2
     upper, lower = (np.insert(square, 2, z, axis=1) for z in (0.0, -_THICKNESS))
     here = np.arange(4)
     there = (here + 1) % 4
     faces = [(here, here + 4, there + 4), (here, there + 4, there)]
     return np.concatenate([upper, lower]), np.concatenate([np.stack(f, axis=1) for f in faces])
-
-
-def _border(workspace: Workspace) -> npt.NDArray[np.float32]:
-    reach = workspace.half_length
-    corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]], dtype=np.float32) * reach
-    corners = np.concatenate([corners, np.full((4, 1), _BORDER_HEIGHT, np.float32)], axis=1)
-    return np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)

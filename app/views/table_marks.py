@@ -1,4 +1,4 @@
-"""The table top as one picture: grid, axes and numerals of the workspace."""
+"""The table top as one picture: border, grid, axes and numerals of the workspace."""
 
 import numpy as np
 import numpy.typing as npt
@@ -8,6 +8,7 @@ from app.views.palette import Colour, Surface
 from singulate.geometry import Workspace
 
 PIXELS = 1400
+_BORDER_M = 0.007
 _FONT_HEIGHT_M = 0.056
 _NUM_CELLS = 4
 
@@ -29,6 +30,7 @@ def table_marks(workspace: Workspace, margin: float, colours: Surface) -> npt.ND
     for tick in ticks[1:-1]:
         sheet.line((tick, -reach), (tick, reach), colours.grid)
         sheet.line((-reach, tick), (reach, tick), colours.grid)
+    sheet.frame(reach, colours.border)
     for tick in ticks:
         sheet.text(f"{tick:g}", (tick, -outside), colours.print)
         sheet.text(f"{tick:g}", (-outside, tick), colours.print)
@@ -53,6 +55,14 @@ class _Sheet:
 
     def line(self, start: tuple[float, float], end: tuple[float, float], ink: Colour) -> None:
         self._draw.line([self._place(start), self._place(end)], fill=ink, width=2)
+
+    def frame(self, reach: float, ink: Colour) -> None:
+        """Around the square, so that nothing that is laid on the square hides it."""
+        width = round(_BORDER_M * self._scale)
+        left, top = self._place((-reach, reach))
+        right, bottom = self._place((reach, -reach))
+        box = (left - width, top - width, right + width, bottom + width)
+        self._draw.rectangle(box, outline=ink, width=width)
 
     def text(self, text: str, centre: tuple[float, float], ink: Colour) -> None:
         self._draw.text(self._place(centre), text, fill=ink, font=self._font, anchor="mm")

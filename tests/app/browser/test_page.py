@@ -68,7 +68,7 @@ def show_field(page: Any, label: str) -> None:
 def test_webgl_draws_the_table_between_the_panels(page: Any) -> None:
     kind = page.page.evaluate("() => window.__viserMutable.canvas.getContext('webgl2') !== null")
     assert kind is True
-    for name in ("/table/top", "/table/border", "/shadows/0", "/field", "/pusher"):
+    for name in ("/table/top", "/table/edges", "/shadows/0", "/field", "/pusher"):
         assert page.node(name) is not None, name
     assert page.page.evaluate("() => window.__viserTestpoints.rendererInfo.memory.textures") >= 3
 
