@@ -105,10 +105,11 @@ class PolicySnapshot:
 
     Attributes:
         label: Name and step, for people.
-        kind: Agent kind (``dqn``, ``ppo``, ``spatial``).
+        kind: Agent kind, such as ``dqn``.
         source: Checkpoint directory.
         num_steps: Training steps behind it.
-        q_map: float32 (4, H, W), where this kind of agent has one.
+        has_q_map: Whether this kind of agent has a value for every push.
+        q_map: float32 (4, H, W), where it has one and somebody looks at it.
         start_density: float32 (H, W) summing to 1, where this kind has one.
         start_modes: Cells (row, column) at which it has a mode, the most prominent first.
         scene_version: The scene state that the fields belong to.
@@ -119,6 +120,7 @@ class PolicySnapshot:
     kind: str
     source: str
     num_steps: int
+    has_q_map: bool
     q_map: FloatMap | None
     start_density: FloatMap | None
     start_modes: tuple[tuple[int, int], ...]

@@ -48,9 +48,10 @@ ALLOWED_IN: dict[str, frozenset[str]] = {
     "torch": from_layer_up("agents"),
     "safetensors.torch": from_layer_up("agents"),
     "stable_baselines3": from_layer_up("agents"),
+    "sb3_contrib": from_layer_up("agents"),
     "cv2": from_layer_up("perception"),
 }
-HEAVY = {"torch", "stable_baselines3", "cv2", "pybullet", "viser", "ray"}
+HEAVY = {"torch", "stable_baselines3", "sb3_contrib", "cv2", "pybullet", "viser", "ray"}
 
 
 def unit_of(module: str) -> str:

@@ -187,6 +187,7 @@ class PolicyLink:
             kind=loaded.kind,
             source=loaded.source,
             num_steps=loaded.num_steps,
+            has_q_map=loaded.has_q_map,
             q_map=fields.q_map if fields else None,
             start_density=fields.start_density if fields else None,
             start_modes=fields.start_modes if fields else (),

@@ -30,7 +30,7 @@ class ChartSpec:
 CHARTS = (
     ChartSpec("Return", ("rollout/ep_rew_mean",)),
     ChartSpec("Success rate", ("rollout/success_rate",)),
-    ChartSpec("Loss", ("train/loss", "train/value_loss")),
+    ChartSpec("Loss", ("train/loss", "train/value_loss", "train/critic_loss")),
     ChartSpec("Exploration rate", ("rollout/exploration_rate",)),
     ChartSpec("Entropy", ("train/entropy",)),
     ChartSpec("Episode length", ("rollout/ep_len_mean",)),

@@ -166,6 +166,6 @@ def _keep(preferences: Preferences, name: str) -> Callable[[Any], None]:
 
 def _missing_text(kind: FieldKind, snapshot: Snapshot, line: str) -> str:
     policy = snapshot.policy
-    if kind.key == "q" and policy is not None and policy.start_density is not None:
+    if kind.key == "q" and policy is not None and not policy.has_q_map:
         return f"{policy.kind} has no Q values; it says where it starts: see its start density."
     return line

@@ -26,6 +26,7 @@ class Loaded:
     label: str
     kind: str
     num_steps: int
+    has_q_map: bool
 
 
 @dataclass(frozen=True)

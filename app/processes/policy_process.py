@@ -70,7 +70,8 @@ class PolicyAnswerer:
         self._observation = make_observation(policy.observation, Workspace())
         self._source = source
         step = checkpoint.manifest.step
-        return Loaded(source, policy_label(directory, step), policy.kind, step)
+        label, has_q_map = policy_label(directory, step), isinstance(policy, HasQMap)
+        return Loaded(source, label, policy.kind, step, has_q_map)
 
     def _ask(self, policy: Policy, question: object) -> object:
         match question:

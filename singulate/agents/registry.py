@@ -14,7 +14,10 @@ from singulate.agents.dqn.config import DQNConfig
 from singulate.agents.multimodal_ppo.config import MultimodalPPOConfig
 from singulate.agents.policy import Policy
 from singulate.agents.ppo.config import PPOConfig
+from singulate.agents.sac.config import SACConfig
 from singulate.agents.spatial.config import SpatialConfig
+from singulate.agents.td3.config import TD3Config
+from singulate.agents.trpo.config import TRPOConfig
 from singulate.exceptions import InvalidValueError
 
 if TYPE_CHECKING:
@@ -24,7 +27,9 @@ if TYPE_CHECKING:
 
     from singulate.envs import EnvConfig
 
-AgentConfig = DQNConfig | PPOConfig | SpatialConfig | MultimodalPPOConfig
+AgentConfig = (
+    DQNConfig | PPOConfig | SpatialConfig | MultimodalPPOConfig | TRPOConfig | SACConfig | TD3Config
+)
 
 
 @dataclass(frozen=True)
@@ -78,6 +83,9 @@ AGENTS: dict[str, AgentKind] = {
     "multimodal-ppo": AgentKind(
         "multimodal-ppo", MultimodalPPOConfig, ("point",), "singulate.agents.multimodal_ppo"
     ),
+    "trpo": AgentKind("trpo", TRPOConfig, ("point", "start_end"), "singulate.agents.trpo"),
+    "sac": AgentKind("sac", SACConfig, ("point", "start_end"), "singulate.agents.sac"),
+    "td3": AgentKind("td3", TD3Config, ("point", "start_end"), "singulate.agents.td3"),
 }
 
 

@@ -51,14 +51,14 @@ def add_parser(subparsers: "Subparsers") -> None:
         "--sample",
         action="store_true",
         default=None,
-        help="draw pushes as in training (PPO does anyway)",
+        help="draw pushes as in training (PPO and TRPO do anyway)",
     )
     acting.add_argument(
         "--greedy",
         dest="sample",
         action="store_false",
         default=None,
-        help="the push of the highest value or density (a DQN does anyway)",
+        help="the push of the highest value or density (all others do anyway)",
     )
     add_engine_options(parser)
     parser.add_argument(

@@ -15,7 +15,8 @@ class SessionCallback(BaseCallback):
     """Passes pushes and safe points on to a session.
 
     stable-baselines3 calls `_on_step` before a transition is stored, so the safe points, at which
-    a checkpoint holds everything, are the beginnings of rollouts: every push for a DQN.
+    a checkpoint holds everything, are the beginnings of rollouts: every push where a replay memory
+    is learnt from.
 
     Args:
         session: The training under way.
@@ -39,7 +40,7 @@ class SessionCallback(BaseCallback):
         return True
 
     def _predicted(self) -> npt.NDArray[np.float64]:
-        """Expected rewards of the executed pushes: V of PPO, Q of a DQN, in reward units."""
+        """Expected rewards of the executed pushes: V or Q, in reward units."""
         if isinstance(self.model, OnPolicyAlgorithm):
             values = self.locals["values"][:, 0].numpy()
         else:

@@ -19,7 +19,7 @@ class TrainingConfig:
     """A run's settings; two runs with equal settings are equal, bit for bit.
 
     Attributes:
-        agent: Kind of agent (``dqn``, ``ppo``, ``spatial``).
+        agent: Kind of agent (a key of `AGENTS`).
         env: The environment.
         total_timesteps: Pushes to train for.
         seed: Decides the network, all random choices and all scenes.
@@ -30,7 +30,7 @@ class TrainingConfig:
         dataset: Directory of a data set to learn from instead of the simulation; None for none.
         dataset_sha256: Hash of its content, which has to fit.
         num_envs: Environments that push at the same time; the total of pushes, the pushes between
-            two updates of PPO and the updates a push of a DQN stay the same.
+            two updates of PPO or TRPO and the updates a push of all others stay the same.
         num_workers: Processes that the environments live in, which changes nothing but the speed;
             0 is the trainer's own. None is 0 for a single environment or a data set, else one a
             core.

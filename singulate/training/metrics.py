@@ -1,5 +1,6 @@
 """Training curves from single pushes."""
 
+import math
 from collections import deque
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -10,6 +11,7 @@ from stable_baselines3.common.base_class import BaseAlgorithm
 from stable_baselines3.common.on_policy_algorithm import OnPolicyAlgorithm
 
 SMOOTHING_EPISODES = 1000
+_ENTROPY_OF_UNIT_NORMAL = 0.5 * math.log(2.0 * math.pi * math.e)
 
 
 @dataclass(frozen=True)
@@ -114,7 +116,10 @@ def model_metrics(model: BaseAlgorithm) -> dict[str, float]:
     if "train/entropy_loss" in values:
         values["train/entropy"] = -values["train/entropy_loss"]
     if isinstance(model, OnPolicyAlgorithm) and hasattr(model.policy, "log_std"):
-        values["train/std"] = float(model.policy.log_std.detach().exp().mean())
+        log_std = model.policy.log_std.detach()
+        values["train/std"] = float(log_std.exp().mean())
+        entropy = float((log_std + _ENTROPY_OF_UNIT_NORMAL).sum())
+        values.setdefault("train/entropy", entropy)
     return values
 
 

@@ -47,8 +47,8 @@ def train(
 ) -> TrainingResult:
     """Train until the steps are done or somebody asks to stop.
 
-    PPO stops at the end of a rollout, so it may go up to `n_steps` - 1 pushes beyond the total; a
-    DQN up to `num_envs` - 1.
+    PPO and TRPO stop at the end of a rollout, so they may go up to `n_steps` - 1 pushes beyond the
+    total; all others up to `num_envs` - 1.
 
     Args:
         config: The run's settings.

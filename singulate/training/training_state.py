@@ -19,6 +19,7 @@ from singulate.checkpoints import decode_tensors, encode_tensors
 from singulate.exceptions import CheckpointError
 from singulate.training.envs import TrainingEnvs
 from singulate.training.episode_state import EpisodeState
+from singulate.training.optimizer_state import capture_optimizer, restore_optimizer
 from singulate.training.random_states import (
     capture_generators,
     capture_global_generators,
@@ -51,7 +52,9 @@ def capture_training(model: BaseAlgorithm, envs: TrainingEnvs) -> dict[str, byte
         "generators": capture_generators(_generators(model)),
     }
     tensors: Tensors = {f"policy.{k}": array for k, array in tensors_of(model.policy).items()}
-    tensors.update(_capture_optimizer(model.policy.optimizer))
+    for name, optimizer in _optimizers(model).items():
+        tensors.update(capture_optimizer(name, optimizer))
+    tensors.update({f"extra.{k}": t.detach().numpy().copy() for k, t in _extra(model).items()})
     values["random"], random_tensors = capture_global_generators()
     tensors.update(random_tensors)
     buffer = _replay_buffer(model)
@@ -75,7 +78,10 @@ def restore_training(model: BaseAlgorithm, envs: TrainingEnvs, files: Mapping[st
         prefix = "policy."
         weights = {k[len(prefix) :]: a for k, a in tensors.items() if k.startswith(prefix)}
         load_tensors(model.policy, weights)
-        _restore_optimizer(model.policy.optimizer, tensors)
+        for name, optimizer in _optimizers(model).items():
+            restore_optimizer(name, optimizer, tensors)
+        for name, tensor in _extra(model).items():
+            _fill(tensor, tensors[f"extra.{name}"])
         buffer = _replay_buffer(model)
         if buffer is not None:
             restore_replay(buffer, envs.config.env.observation, values["replay"], tensors)
@@ -111,19 +117,20 @@ def _generators(model: BaseAlgorithm) -> dict[str, np.random.Generator]:
     return {"action_space": model.action_space.np_random, **own}
 
 
-def _capture_optimizer(optimizer: torch.optim.Optimizer) -> Tensors:
-    return {
-        f"optimizer.{index}.{name}": tensor.numpy().copy()
-        for index, state in optimizer.state_dict()["state"].items()
-        for name, tensor in state.items()
-    }
+def _optimizers(model: BaseAlgorithm) -> dict[str, torch.optim.Optimizer]:
+    """The agent's own list, or else the one of its policy."""
+    own: dict[str, torch.optim.Optimizer] | None = getattr(model, "optimizers", None)
+    return {"optimizer": model.policy.optimizer} if own is None else own
 
 
-def _restore_optimizer(optimizer: torch.optim.Optimizer, tensors: Tensors) -> None:
-    state: dict[int, dict[str, torch.Tensor]] = {}
-    for key, array in tensors.items():
-        if key.startswith("optimizer."):
-            _, index, name = key.split(".")
-            state.setdefault(int(index), {})[name] = torch.from_numpy(np.array(array))
-    groups = optimizer.state_dict()["param_groups"]
-    optimizer.load_state_dict({"state": state, "param_groups": groups})
+def _extra(model: BaseAlgorithm) -> dict[str, torch.Tensor]:
+    """Tensors that are learnt, but belong to no network."""
+    own: dict[str, torch.Tensor] = getattr(model, "extra_tensors", {})
+    return own
+
+
+def _fill(tensor: torch.Tensor, array: npt.NDArray[np.generic]) -> None:
+    if array.shape != tuple(tensor.shape):
+        raise ValueError(f"a tensor is {list(array.shape)}, not {list(tensor.shape)}")
+    with torch.no_grad():
+        tensor.copy_(torch.from_numpy(np.array(array)))

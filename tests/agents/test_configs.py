@@ -2,9 +2,9 @@ import math
 
 import pytest
 
-from singulate.agents.dqn.config import DQNConfig
 from singulate.agents.ppo.config import PPOConfig
 from singulate.agents.registry import AGENTS, agent_kind
+from singulate.agents.trpo.config import TRPOConfig
 from singulate.exceptions import InvalidValueError
 
 
@@ -15,8 +15,17 @@ def test_ppo_defaults_are_table_1() -> None:
     )  # fmt: skip
 
 
-def test_both_agents_have_the_papers_network() -> None:
-    assert DQNConfig().net_arch == PPOConfig().net_arch == (128, 64, 64, 32, 16)
+@pytest.mark.parametrize("name", ["dqn", "ppo", "trpo", "sac", "td3"])
+def test_agents_have_the_papers_network_and_learning_rate(name: str) -> None:
+    config = agent_kind(name).make_config({})
+    assert config.net_arch == (128, 64, 64, 32, 16)
+    assert config.learning_rate == 5e-4
+
+
+def test_trpo_differs_from_ppo_in_the_update_alone() -> None:
+    ppo, trpo = PPOConfig(), TRPOConfig()
+    for name in ("n_steps", "gamma", "gae_lambda", "log_std_init"):
+        assert getattr(trpo, name) == getattr(ppo, name)
 
 
 @pytest.mark.parametrize("name", AGENTS)
@@ -54,6 +63,18 @@ def test_settings_survive_json_like_values(name: str) -> None:
         ("multimodal-ppo", "batch_size", 100_000),
         ("multimodal-ppo", "ent_coef", -0.1),
         ("multimodal-ppo", "net_arch", [0]),
+        ("trpo", "n_steps", 1),
+        ("trpo", "batch_size", 4096),
+        ("trpo", "target_kl", 0.0),
+        ("trpo", "cg_damping", 0.0),
+        ("trpo", "clip_range", 0.2),
+        ("sac", "tau", 0.0),
+        ("sac", "initial_ent_coef", 0.0),
+        ("sac", "target_entropy", math.nan),
+        ("sac", "learning_starts", 0),
+        ("td3", "policy_delay", 0),
+        ("td3", "exploration_noise", -0.1),
+        ("td3", "buffer_size", 1.5),
         ("spatial", "net_arch", [8, 8, 8]),
         ("spatial", "learning_starts", 0),
         ("spatial", "average_decay", 1.5),
@@ -66,5 +87,5 @@ def test_bad_settings_name_the_key(name: str, key: str, value: object) -> None:
 
 
 def test_unknown_agent_lists_the_known_ones() -> None:
-    with pytest.raises(InvalidValueError, match="dqn, ppo, spatial, multimodal-ppo"):
-        agent_kind("sac")
+    with pytest.raises(InvalidValueError, match=", ".join(AGENTS)):
+        agent_kind("a2c")

@@ -35,7 +35,7 @@ def test_a_saved_policy_pushes_as_before(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("changes", "problem"),
     [
-        ({"agent": "sac"}, "sac"),
+        ({"agent": "a2c"}, "a2c"),
         ({"agent_config": {"net_arch": [8], "depth": 3}}, "depth"),
         ({"agent_config": {"net_arch": [16, 8]}}, "q_net.0"),
         ({"env_config": {"scenario": "moon-2"}}, "moon-2"),

@@ -12,6 +12,9 @@ CONFIGS = {
     "dqn": EnvConfig("random-2", action="grid"),
     "ppo": EnvConfig("random-2", observation="mask", action="point"),
     "multimodal-ppo": EnvConfig("random-2", action="point"),
+    "trpo": EnvConfig("random-2", action="point"),
+    "sac": EnvConfig("random-2", action="point"),
+    "td3": EnvConfig("random-2", observation="mask", action="point"),
 }
 
 
@@ -66,8 +69,11 @@ def test_dqn_explores_with_a_generator() -> None:
     assert 5 < len(pushes) < 60
 
 
-def test_ppo_samples_follow_its_start_density() -> None:
-    policy = _policy("ppo")
+@pytest.mark.parametrize("name", ["ppo", "trpo", "sac"])
+def test_samples_follow_the_start_density(name: str) -> None:
+    policy = _policy(name)
+    assert policy.kind == name
+    assert policy.is_random
     assert isinstance(policy, HasStartDensity)
     observation = np.zeros((64, 64), dtype=np.float32)
     density = policy.start_density(observation)
@@ -77,6 +83,30 @@ def test_ppo_samples_follow_its_start_density() -> None:
     starts = np.array([policy.act(observation, rng).start for _ in range(400)])
     assert abs((starts[:, 0] > 0).mean() - density[:, 32:].sum()) < 0.1
     assert abs((starts[:, 1] > 0).mean() - density[:32].sum()) < 0.1
+
+
+def test_td3_makes_one_push_and_with_a_generator_others_around_it() -> None:
+    policy = _policy("td3")
+    assert not policy.is_random
+    assert not isinstance(policy, HasStartDensity)
+    observation = np.zeros((64, 64), dtype=np.float32)
+    centre = np.array(policy.act(observation).start)
+    rng = np.random.default_rng(0)
+    starts = np.array([policy.act(observation, rng).start for _ in range(400)])
+    assert starts.mean(axis=0) == pytest.approx(centre, abs=0.03)
+    assert starts.std(axis=0) == pytest.approx([0.1, 0.1], abs=0.02)
+
+
+@pytest.mark.parametrize("name", ["ppo", "trpo", "sac", "td3"])
+def test_start_and_end_make_pushes_of_any_length(name: str) -> None:
+    kind = agent_kind(name)
+    env = EnvConfig("random-2", action="start_end")
+    policy, _ = kind.build_policy(kind.make_config({}), env)
+    observation = np.zeros((64, 64), dtype=np.float32)
+    rng = np.random.default_rng(0)
+    lengths = [policy.act(observation, rng).length for _ in range(20)]
+    assert np.ptp(lengths) > 0.05
+    assert isinstance(policy.predict_value(observation, policy.act(observation)), float)
 
 
 def test_random_policy_is_uniform_and_needs_a_generator() -> None:

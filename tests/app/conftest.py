@@ -192,7 +192,7 @@ def make_snapshot(
         "scene": make_scene(),
         "reward_map": RewardMapSnapshot(rewards, 32, 0.25, 3),
         "policy": PolicySnapshot(
-            "dqn-a", "dqn", "checkpoints/dqn-a", 20000, q_map, density, ((9, 5),), 3, False
+            "dqn-a", "dqn", "checkpoints/dqn-a", 20000, True, q_map, density, ((9, 5),), 3, False
         ),
         "run": make_run(),
         "policies": (("dqn-a", "checkpoints/dqn-a"), ("ppo-b", "checkpoints/ppo-b")),

@@ -37,7 +37,7 @@ def test_every_command_has_help(name: str, capsys: pytest.CaptureFixture[str]) -
         ((), "COMMAND"),
         (("fly",), "fly"),
         (("train",), "agent: None is not allowed; allowed: dqn, ppo"),
-        (("train", "--agent", "sac"), "'sac'"),
+        (("train", "--agent", "a2c"), "'a2c'"),
         (("train", "--agent", "dqn", "--scenario", "moon-2"), "moon-2"),
         (("train", "--agent", "dqn", "--steps", "many"), "many"),
         (("train", "--agent", "dqn", "--steps", "0"), "steps"),

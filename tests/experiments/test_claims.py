@@ -83,8 +83,15 @@ def test_ppo_on_the_fixed_scene(rates: tuple[float, ...], expected: str) -> None
     ("rates", "expected"),
     [((0.0, 0.05, 0.3), HELD), ((0.0, 0.3, 0.3), PARTLY), ((0.6, 0.7, 0.8), NOT_HELD)],
 )
-def test_ppo_on_random_scenes(rates: tuple[float, ...], expected: str) -> None:
-    assert verdict("ppo-random-2", Evidence({"ppo-random-2": runs(60_000, *rates)})) == expected
+@pytest.mark.parametrize(
+    ("key", "variant"), [("ppo-random-2", "ppo-random-2"), ("trpo", "trpo-random-2")]
+)
+def test_gaussians_on_random_scenes(
+    key: str, variant: str, rates: tuple[float, ...], expected: str
+) -> None:
+    assert verdict(key, Evidence({variant: runs(60_000, *rates)})) == expected
+    assert verdict(key, Evidence({variant: runs(20_000, *rates)})) == NOT_MEASURED
+    assert verdict(key, Evidence({variant: runs(60_000, *rates[:2])})) == NOT_MEASURED
 
 
 @pytest.mark.parametrize(

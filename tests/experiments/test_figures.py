@@ -91,7 +91,7 @@ def test_shorter_plans_keep_the_lengths_that_the_paper_gives() -> None:
     lengths = {
         name: variant.cells(plan)[0].training.total_timesteps for name, variant in VARIANTS.items()
     }
-    assert lengths["ppo-fixed-2"] == lengths["ppo-random-2"] == 30_000
+    assert lengths["ppo-fixed-2"] == lengths["trpo-random-2"] == 30_000
     assert lengths["ppo-fixed-2-start"] == lengths["ppo-fixed-2-pretrained"] == 60_000
     assert (lengths["dqn-random-2"], lengths["dqn-fixed-2-start"]) == (20_000, 4_000)
     quick = [v.cells(quick_plan())[0].training.total_timesteps for v in VARIANTS.values()]

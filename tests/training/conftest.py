@@ -21,6 +21,9 @@ def make_config() -> Any:
         elif agent == "spatial":
             env = EnvConfig("cluster-3", action="point")
             settings = {"learning_starts": 10, "batch_size": 8, "exploration_steps": 60}
+        elif agent in ("sac", "td3"):
+            env = EnvConfig("cluster-3", action="point")
+            settings = {"learning_starts": 10, "batch_size": 8}
         else:
             env = EnvConfig("fixed-2", action="point")
             settings = {"n_steps": 16, "batch_size": 4}

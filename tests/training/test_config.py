@@ -17,7 +17,7 @@ def test_it_survives_a_round_trip_with_every_default_filled_in() -> None:
 @pytest.mark.parametrize(
     ("changes", "key"),
     [
-        ({"agent": "sac"}, "agent"),
+        ({"agent": "a2c"}, "agent"),
         ({"total_timesteps": 0}, "steps"),
         ({"total_timesteps": 2.0}, "steps"),
         ({"seed": -1}, "seed"),

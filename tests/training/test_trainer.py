@@ -60,8 +60,11 @@ def test_old_checkpoints_are_removed(tmp_path: Path, make_config: Any) -> None:
     assert kept == ["step-000000048", "step-000000064"]
 
 
-def test_ppo_logs_entropy_and_predicts_by_value(tmp_path: Path, make_config: Any) -> None:
-    train(make_config("ppo", 112), tmp_path / "run")
+@pytest.mark.parametrize("agent", ["ppo", "trpo"])
+def test_gaussians_log_entropy_and_predict_by_value(
+    agent: str, tmp_path: Path, make_config: Any
+) -> None:
+    train(make_config(agent, 112), tmp_path / "run")
     reader = RunReader(tmp_path / "run")
     entropy = reader.metrics_since("train/entropy").values
     assert np.isfinite(entropy).all() and len(entropy)

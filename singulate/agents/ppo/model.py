@@ -4,7 +4,7 @@ import torch
 from stable_baselines3 import PPO
 from stable_baselines3.common.vec_env import VecEnv
 
-from singulate.agents.network import policy_arguments
+from singulate.agents.gaussian.networks import network_arguments
 from singulate.agents.ppo.config import PPOConfig
 
 
@@ -32,16 +32,6 @@ def build_model(config: PPOConfig, env: VecEnv, observation: str, seed: int) -> 
         seed=seed,
         device="cpu",
     )
-
-
-def network_arguments(config: PPOConfig, observation: str) -> dict[str, object]:
-    """Arguments of stable-baselines3's actor-critic policy."""
-    widths = list(config.net_arch)
-    return {
-        "net_arch": {"pi": widths, "vf": list(widths)},
-        "log_std_init": config.log_std_init,
-        **policy_arguments(observation, adam_epsilon=1e-5),
-    }
 
 
 def network_of(model: PPO) -> torch.nn.Module:

@@ -2,7 +2,7 @@
 
 from singulate.experiments.claims.claim import Claim, at_least
 from singulate.experiments.claims.evidence import Evidence
-from singulate.experiments.claims.ppo_success import judge_success
+from singulate.experiments.claims.success import judge_success
 
 
 def judge(evidence: Evidence) -> Claim:

@@ -35,7 +35,14 @@ CLAIMS: tuple[Callable[[Evidence], Claim], ...] = tuple(
     )
 )
 
-VARIANTS = ("ppo-fixed-2", "ppo-random-2", "dqn-fixed-2-separation", "dqn-random-2", "dqn-random-3")
+VARIANTS = (
+    "ppo-fixed-2",
+    "ppo-random-2",
+    "dqn-fixed-2-separation",
+    "dqn-random-2",
+    "dqn-random-3",
+    "trpo-random-2",
+)
 """Trainings that claims need beyond those of the figures."""
 
 CEILING_SCENARIOS = ("random-2", "random-3")

@@ -73,5 +73,6 @@ VARIANTS: dict[str, Variant] = {
     ),
     "dqn-random-2": Variant("DQN", "dqn", DQN_STEPS, EnvConfig("random-2", action="grid")),
     "dqn-random-3": Variant("DQN", "dqn", DQN_STEPS, EnvConfig("random-3", action="grid")),
+    "trpo-random-2": Variant("TRPO", "trpo", PPO_STEPS, EnvConfig("random-2")),
 }
 """Every training of the reproduction; a new one is one entry."""

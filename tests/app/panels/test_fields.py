@@ -74,9 +74,17 @@ def test_ranges_of_their_own_give_each_picture_a_legend(context, make_snapshot):
 def test_an_agent_without_q_values_says_so(context, make_snapshot):
     panel = FieldsPanel(context)
     snapshot = make_snapshot()
-    policy = replace(snapshot.policy, kind="ppo", q_map=None)
+    policy = replace(snapshot.policy, kind="ppo", has_q_map=False, q_map=None)
     panel.update(replace(snapshot, policy=policy), 0.0)
     assert "ppo has no Q values" in panel.q.content
+
+
+def test_q_values_that_are_still_computed_are_not_denied(context, make_snapshot):
+    panel = FieldsPanel(context)
+    snapshot = make_snapshot()
+    policy = replace(snapshot.policy, kind="sac", q_map=None)
+    panel.update(replace(snapshot, policy=policy), 0.0)
+    assert "no Q values" not in panel.q.content
 
 
 def test_an_inspected_place_is_listed(context, make_snapshot):

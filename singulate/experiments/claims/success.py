@@ -1,4 +1,4 @@
-"""What claims on the success of a PPO have in common."""
+"""What claims on the success of PPO and TRPO have in common."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace

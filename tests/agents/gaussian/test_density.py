@@ -1,7 +1,8 @@
 import numpy as np
+import numpy.typing as npt
 import pytest
 
-from singulate.agents.ppo.density import gaussian_start_density
+from singulate.agents.gaussian.density import gaussian_start_density, squashed_start_density
 
 
 def test_density_sums_to_one_and_peaks_at_the_mean() -> None:
@@ -20,6 +21,17 @@ def test_starts_clipped_to_the_border_count_there() -> None:
 def test_density_agrees_with_sampling() -> None:
     mean, deviation = np.array([0.3, 0.7]), np.array([0.4, 0.6])
     samples = np.random.default_rng(0).normal(mean, deviation, size=(200_000, 2)).clip(-1, 1)
+    assert _difference(samples, gaussian_start_density(mean, deviation, 8)) < 3e-3
+
+
+def test_a_squashed_density_agrees_with_sampling() -> None:
+    mean, deviation = np.array([0.3, -1.5]), np.array([0.4, 1.2])
+    samples = np.tanh(np.random.default_rng(0).normal(mean, deviation, size=(200_000, 2)))
+    density = squashed_start_density(mean, deviation, 8)
+    assert density.sum() == pytest.approx(1.0, abs=1e-5)
+    assert _difference(samples, density) < 3e-3
+
+
+def _difference(samples: npt.NDArray[np.float64], density: npt.NDArray[np.float32]) -> float:
     counts, _, _ = np.histogram2d(-samples[:, 1], samples[:, 0], bins=8, range=[[-1, 1]] * 2)
-    density = gaussian_start_density(mean, deviation, 8)
-    assert np.abs(counts / len(samples) - density).max() < 3e-3
+    return float(np.abs(counts / len(samples) - density).max())

@@ -1,0 +1,1 @@
+"""Soft actor-critic with a squashed Gaussian over continuous pushes."""
