@@ -8,6 +8,7 @@ from singulate.agents.config_fields import (
     check_number,
     check_positive,
 )
+from singulate.agents.encoder_setting import check_encoder
 from singulate.agents.net_arch import PAPER_NET_ARCH, check_net_arch
 
 
@@ -29,6 +30,8 @@ class DQNConfig:
         exploration_final_eps: Exploration rate from then on.
         symmetries: Replay each push turned and mirrored at random: the table looks and behaves the
             same in all eight symmetries of the square.
+        encoder: Directory of an autoencoder whose code of the distance map is the agent's state;
+            None for the map itself.
     """
 
     learning_rate: float = 5e-4
@@ -42,6 +45,7 @@ class DQNConfig:
     exploration_steps: int = 6_000
     exploration_final_eps: float = 0.05
     symmetries: bool = True
+    encoder: str | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "net_arch", check_net_arch("net_arch", self.net_arch))
@@ -55,3 +59,4 @@ class DQNConfig:
         check_int("exploration_steps", self.exploration_steps, 1)
         check_number("exploration_final_eps", self.exploration_final_eps, 0.0, 1.0)
         check_bool("symmetries", self.symmetries)
+        check_encoder(self.encoder)

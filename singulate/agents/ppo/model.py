@@ -40,7 +40,7 @@ def network_arguments(config: PPOConfig, observation: str) -> dict[str, object]:
     return {
         "net_arch": {"pi": widths, "vf": list(widths)},
         "log_std_init": config.log_std_init,
-        **policy_arguments(observation, adam_epsilon=1e-5),
+        **policy_arguments(observation, adam_epsilon=1e-5, encoder=config.encoder),
     }
 
 

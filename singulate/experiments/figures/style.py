@@ -30,11 +30,16 @@ def new_figure(
     num_rows: int, num_cols: int, height: float, **options: Any
 ) -> tuple["Figure", list["Axes"]]:
     """An empty figure and its panels, row after row; `height` in inches."""
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(WIDTH_INCHES, height), layout="constrained", facecolor="white")
+    figure = empty_figure(height)
     panels = figure.subplots(num_rows, num_cols, squeeze=False, **options)
     return figure, list(panels.ravel())
+
+
+def empty_figure(height: float) -> "Figure":
+    """A figure without panels; `height` in inches."""
+    from matplotlib.figure import Figure
+
+    return Figure(figsize=(WIDTH_INCHES, height), layout="constrained", facecolor="white")
 
 
 def save_figure(figure: "Figure", path: Path) -> None:
