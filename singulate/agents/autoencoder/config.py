@@ -31,7 +31,7 @@ class AutoencoderConfig:
     num_scenes: int = 4_000
     num_updates: int = 5_000
     batch_size: int = 32
-    learning_rate: float = 2e-3
+    learning_rate: float = 3e-3
     seed: int = 0
 
     def __post_init__(self) -> None:
