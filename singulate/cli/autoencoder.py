@@ -58,6 +58,7 @@ def _run(args: argparse.Namespace) -> int:
     from singulate.agents.autoencoder.training import make_autoencoder
 
     torch.set_num_threads(args.threads)
+    torch.set_flush_denormal(True)
     began = time.monotonic()
     with StepBars() as bars:
         quality = make_autoencoder(config, args.unseen, args.out, bars.show)

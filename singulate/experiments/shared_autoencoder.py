@@ -48,6 +48,10 @@ def _is_intact(directory: Path) -> bool:
 
 
 def _train(config: AutoencoderConfig, directory: Path) -> None:
+    import torch
+
     from singulate.agents.autoencoder.training import make_autoencoder
 
+    torch.set_num_threads(1)  # as the trainings that follow, whatever this process did before
+    torch.set_flush_denormal(True)
     make_autoencoder(config, NUM_UNSEEN, directory)
