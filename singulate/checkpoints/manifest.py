@@ -37,7 +37,7 @@ class Manifest:
     """A checkpoint's description.
 
     Attributes:
-        agent: Kind of agent, such as ``dqn``.
+        agent: Kind of agent, such as ``dqn``, or ``autoencoder``.
         agent_config: All that is needed to rebuild its model.
         env_config: The environment it was trained in.
         step: Training steps behind it.

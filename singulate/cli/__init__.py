@@ -16,6 +16,7 @@ COMMANDS: dict[str, str] = {
     "ceiling": "share of scenes that some push of a grid solves",
     "rewardmap": "true reward of every push on a scene",
     "dataset": "reward maps of many scenes, to learn from",
+    "autoencoder": "learn a small code of the distance map, as a state for agents",
     "sweep": "train and evaluate every combination of agents, scenarios, settings and seeds",
     "reproduce": "the paper's figures, and a verdict on each of its claims",
     "runs": "list, show, steer, export and delete training runs",

@@ -2,6 +2,7 @@
 
 import sys
 import time
+from contextlib import ExitStack
 from types import TracebackType
 from typing import TYPE_CHECKING, Self
 
@@ -54,6 +55,29 @@ class CountBar:
         traceback: TracebackType | None,
     ) -> None:
         self._bar.stop()
+
+
+class StepBars:
+    """One bar after another, for work in steps; a context manager."""
+
+    def __init__(self) -> None:
+        self._stack = ExitStack()
+        self._bar: CountBar | None = None
+        self._step = ""
+
+    def show(self, step: str, done: int, total: int) -> None:
+        """Show how far a step is; a new one ends the last one's bar."""
+        if self._bar is None or step != self._step:
+            self._stack.close()
+            self._bar = self._stack.enter_context(CountBar(step, total))
+            self._step = step
+        self._bar.set(done)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._stack.close()
 
 
 class TrainingBar(CountBar):

@@ -90,7 +90,7 @@ def train_command(config: TrainingConfig) -> str:
             words.append(f"--{field.name.replace('_', '-')} {value}")
     plain_agent = TrainingConfig(config.agent, config.env, 1).agent_config
     for name, value in config.agent_config.items():
-        if value != plain_agent[name]:
+        if value != plain_agent.get(name):
             words.append(f"--set {name}={str(value).replace(' ', '')}")
     return " ".join(words)
 

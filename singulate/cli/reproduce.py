@@ -4,7 +4,6 @@ import argparse
 import json
 import sys
 import time
-from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,13 +13,13 @@ from rich.table import Table
 
 from singulate.cli.engine_options import add_engine_options, engine_of
 from singulate.cli.lists import parse_seeds
-from singulate.cli.progress import CountBar
+from singulate.cli.progress import StepBars
 from singulate.cli.targets import check_directory_target
 from singulate.exceptions import InvalidValueError
 
 if TYPE_CHECKING:
     from singulate.experiments.figures.plan import Plan
-    from singulate.experiments.reproduce import OnProgress, Reproduction
+    from singulate.experiments.reproduce import Reproduction
 
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
 
@@ -34,7 +33,10 @@ def add_parser(subparsers: "Subparsers") -> None:
         description=f"{text}; run it again to go on where it was interrupted",
     )
     parser.add_argument(
-        "figures", nargs="*", metavar="fig1 ... fig6 | all", help="(all, which judges the claims)"
+        "figures",
+        nargs="*",
+        metavar="fig1 ... fig6 | autoencoder | all",
+        help="(all, which judges the claims)",
     )
     parser.add_argument("--seeds", metavar="0,1|0-4", help="of the trainings (0-2)")
     parser.add_argument(
@@ -87,7 +89,7 @@ def _run(args: argparse.Namespace) -> int:
     check_directory_target("runs", args.runs)
     published = Published.read(args.out, list(FIGURES)) if args.reuse else Published()
     began = time.monotonic()
-    with engine_of(args, niceness=5, hang_timeout_s=float("inf")) as engine, _Bars() as bars:
+    with engine_of(args, niceness=5, hang_timeout_s=float("inf")) as engine, StepBars() as bars:
         made = reproduce(
             figures,
             Sources(plan, open_store(args.runs), engine, published),
@@ -109,33 +111,6 @@ def _plan(args: argparse.Namespace) -> "Plan":
     if args.seeds is not None:
         plan = replace(plan, seeds=tuple(parse_seeds("seeds", args.seeds)))
     return plan if args.steps is None else replace(plan, max_steps=args.steps)
-
-
-class _Bars:
-    """One progress bar after another; a context manager."""
-
-    def __init__(self) -> None:
-        self._stack = ExitStack()
-        self._bar: CountBar | None = None
-        self._step = ""
-
-    @property
-    def show(self) -> "OnProgress":
-        """What is told of progress."""
-        return self._show
-
-    def _show(self, step: str, done: int, total: int) -> None:
-        if self._bar is None or step != self._step:
-            self._stack.close()
-            self._bar = self._stack.enter_context(CountBar(step, total))
-            self._step = step
-        self._bar.set(done)
-
-    def __enter__(self) -> "_Bars":
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self._stack.close()
 
 
 def _report(args: argparse.Namespace, made: "Reproduction", seconds: float) -> None:

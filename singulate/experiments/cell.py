@@ -5,10 +5,11 @@ import json
 import shutil
 import time
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
+from singulate.agents.autoencoder.config import AutoencoderConfig
 from singulate.exceptions import CheckpointError, RunError
 from singulate.runs import RunDirectory
 from singulate.runs.lock import lock_holder
@@ -29,6 +30,8 @@ class Cell:
         training: The training.
         episodes: Episodes of its evaluation.
         evaluation_seed: Decides the scenes of the evaluation.
+        autoencoder: What the agent looks through, trained before the first cell that needs it; None
+            for an agent that sees the observation itself, or has another `encoder` set.
         settings: What was set for this cell, by name, to tell it apart from others; all of it is
             in `training` already.
     """
@@ -36,12 +39,15 @@ class Cell:
     training: TrainingConfig
     episodes: int = 1000
     evaluation_seed: int = 7
+    autoencoder: AutoencoderConfig | None = field(default=None, kw_only=True)
     settings: Mapping[str, Any] = field(default_factory=dict, compare=False)
 
     @property
     def key(self) -> str:
         """Hash of what decides the result."""
-        content = [self.training.to_dict(), self.episodes, self.evaluation_seed]
+        content: list[Any] = [self.training.to_dict(), self.episodes, self.evaluation_seed]
+        if self.autoencoder is not None:
+            content.append(asdict(self.autoencoder))
         return hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()[:16]
 
     @property
@@ -86,16 +92,18 @@ class CellResult:
 
 
 class CellTask(NamedTuple):
-    """A cell, and where its run lies; a task of an engine."""
+    """A cell, and where its run and its autoencoder lie; a task of an engine."""
 
     cell: Cell
     run_dir: str
+    autoencoder_dir: str | None = None
 
 
 def run_cell(_tool: object, task: CellTask) -> CellResult:
     """Train, or go on where a training was interrupted, and evaluate.
 
     Raises:
+        CheckpointError: If the autoencoder cannot be written.
         RunError: If somebody stopped the training, or another process does not let go of it.
     """
     from singulate.agents.loading import load_policy
@@ -104,7 +112,7 @@ def run_cell(_tool: object, task: CellTask) -> CellResult:
     from singulate.evaluation import evaluate
 
     cell = task.cell
-    trained = _train(cell.training, Path(task.run_dir))
+    trained = _train(_training_of(task), Path(task.run_dir))
     if trained.state != "finished":
         raise RunError(f"{task.run_dir}: stopped after {trained.progress.num_steps} pushes")
     policy = load_policy(trained.checkpoint)
@@ -117,6 +125,17 @@ def run_cell(_tool: object, task: CellTask) -> CellResult:
         mean_reward=evaluation.mean_reward,
         mean_pushes=evaluation.mean_pushes,
     )
+
+
+def _training_of(task: CellTask) -> TrainingConfig:
+    """The cell's training, with the place of its autoencoder filled in."""
+    from singulate.experiments.shared_autoencoder import ensure_autoencoder
+
+    training, autoencoder = task.cell.training, task.cell.autoencoder
+    if autoencoder is None or task.autoencoder_dir is None:
+        return training
+    directory = ensure_autoencoder(autoencoder, Path(task.autoencoder_dir))
+    return replace(training, agent_config={**training.agent_config, "encoder": str(directory)})
 
 
 def _train(config: TrainingConfig, run_dir: Path) -> "TrainingResult":

@@ -3,9 +3,10 @@
 import json
 from pathlib import Path
 
+from singulate.agents.autoencoder.config import AutoencoderConfig
 from singulate.checkpoints.durable import replace_file
 from singulate.exceptions import RunError
-from singulate.experiments.cell import Cell, CellResult
+from singulate.experiments.cell import Cell, CellResult, CellTask
 from singulate.runs import read_status
 from singulate.runs.json_text import parse_json_object
 
@@ -25,6 +26,17 @@ class CellStore:
     def run_dir(self, cell: Cell) -> Path:
         """Run directory of a cell's training."""
         return self._directory / cell.name / "run"
+
+    def autoencoder_dir(self, config: AutoencoderConfig) -> Path:
+        """Directory of an autoencoder that cells share."""
+        return self._directory / f"autoencoder-{config.key}"
+
+    def task(self, cell: Cell) -> CellTask:
+        """What computes a cell here."""
+        config, run_dir = cell.autoencoder, str(self.run_dir(cell))
+        if config is None:
+            return CellTask(cell, run_dir)
+        return CellTask(cell, run_dir, str(self.autoencoder_dir(config)))
 
     def read(self, cell: Cell) -> CellResult | None:
         """The result of a cell; None where it is unfinished or the file is damaged."""

@@ -5,7 +5,7 @@ from contextlib import AbstractContextManager
 from dataclasses import dataclass
 
 from singulate.engine import Engine
-from singulate.experiments.cell import Cell, CellResult, CellTask, run_cell
+from singulate.experiments.cell import Cell, CellResult, run_cell
 from singulate.experiments.cell_store import CellStore
 
 POLL_S = 0.5
@@ -67,7 +67,7 @@ def run_cells(
     failures: dict[str, str] = {}
     if missing:
         with open_engine() as engine:
-            tasks = [CellTask(cell, str(store.run_dir(cell))) for cell in missing]
+            tasks = [store.task(cell) for cell in missing]
             batch = engine.submit(run_cell, tasks, object)
             while not batch.is_done:
                 finished = batch.poll(POLL_S)

@@ -6,6 +6,7 @@ from dataclasses import asdict, dataclass, field, fields
 from typing import Any, Self
 
 from singulate.agents.config_fields import check_int
+from singulate.agents.encoder_setting import check_encoder_fits
 from singulate.agents.registry import AgentConfig, AgentKind, agent_kind
 from singulate.envs import EnvConfig
 from singulate.exceptions import InvalidValueError
@@ -23,7 +24,9 @@ class TrainingConfig:
         env: The environment.
         total_timesteps: Pushes to train for.
         seed: Decides the network, all random choices and all scenes.
-        agent_config: The agent's settings by name; absent ones take their defaults.
+        agent_config: The agent's settings by name; absent ones take their defaults. One that is
+            None is left out, so that runs that do without it have the hashes that they had before
+            there was such a setting.
         checkpoint_every: Pushes between checkpoints.
         num_checkpoints: Checkpoints that are kept; older ones are removed.
         num_threads: Threads of torch.
@@ -66,9 +69,10 @@ class TrainingConfig:
         check_int("checkpoint_every", self.checkpoint_every, 1, 1_000_000_000)
         check_int("num_checkpoints", self.num_checkpoints, 1, 10_000)
         check_int("num_threads", self.num_threads, 1, 256)
-        resolved = asdict(self.kind.make_config(self.agent_config))
+        resolved = _settings_in_use(self.kind.make_config(self.agent_config))
         resolved["net_arch"] = list(resolved["net_arch"])
         object.__setattr__(self, "agent_config", resolved)
+        check_encoder_fits(resolved, self.env.observation)
         self._check_envs(resolved.get("n_steps"))
 
     @property
@@ -120,3 +124,7 @@ class TrainingConfig:
         if self.num_workers is not None:
             highest = 0 if self.dataset else self.num_envs  # a data set needs no workers
             check_int("num_workers", self.num_workers, 0, highest)
+
+
+def _settings_in_use(config: AgentConfig) -> dict[str, Any]:
+    return {name: value for name, value in asdict(config).items() if value is not None}

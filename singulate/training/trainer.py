@@ -14,7 +14,7 @@ from singulate.training.callback import SessionCallback
 from singulate.training.config import TrainingConfig
 from singulate.training.controls import Controls, stop_on_signals
 from singulate.training.envs import make_training_envs
-from singulate.training.model import build_training_model
+from singulate.training.model import build_training_model, encoder_of
 from singulate.training.resuming import resume_training
 from singulate.training.session import Links, Progress, TrainingSession, TrainingStopped
 from singulate.training.telemetry import Telemetry
@@ -62,12 +62,14 @@ def train(
             the last checkpoint was saved.
         WorkerError: If an environment in a worker failed, or workers cannot be kept alive.
         CheckpointError: If none of the run's checkpoints is intact, or it does not fit; the record
-            and the settings are then as before.
+            and the settings are then as before. Also if the encoder of a new run cannot be read.
     """
     run = RunDirectory(run_dir)
     if resume:
         run.open()
-    else:
+    has_checkpoint = resume and run.latest_checkpoint() is not None
+    encoder = None if has_checkpoint else encoder_of(config)
+    if not resume:
         run.create(config.to_dict())
     torch.set_num_threads(config.num_threads)
     # Adam's moments of idle weights decay into denormal numbers, which made updates 4 times slower.
@@ -80,7 +82,7 @@ def train(
         stack.enter_context(stop_on_signals(controls))
         envs = make_training_envs(config)
         stack.callback(envs.close)
-        model = build_training_model(config, envs)
+        model = build_training_model(config, envs, encoder)
         resumed_step = resume_training(model, envs, run) if resume else None
         if resume:
             text = json.dumps(config.to_dict(), indent=2) + "\n"

@@ -144,6 +144,28 @@ def test_separation_alone(dqn: float, ppo: float, expected: str) -> None:
     assert verdict("separation", Evidence(trained)) == expected
 
 
+@pytest.mark.parametrize(
+    ("ppo", "dqn", "expected"),
+    [
+        ((0.9, 0.9, 1.0), (0.9, 0.9, 1.0), HELD),
+        ((0.9, 0.9, 1.0), (0.1, 0.1, 0.2), PARTLY),
+        ((0.6, 0.9, 1.0), (0.6, 0.9, 1.0), PARTLY),
+        ((0.1, 0.1, 0.2), (0.1, 0.1, 0.2), NOT_HELD),
+    ],
+)
+def test_a_smaller_state(ppo: tuple[float, ...], dqn: tuple[float, ...], expected: str) -> None:
+    trained = {
+        "ppo-fixed-2": runs(60_000, 0.6, 0.7, 0.8),
+        "dqn-random-2": runs(20_000, 0.6, 0.7, 0.8),
+        "ppo-fixed-2-code": runs(60_000, *ppo),
+    }
+    incomplete = next(c for c in judge_all(Evidence(trained)) if c.key == "autoencoder")
+    assert incomplete.verdict == NOT_MEASURED
+    assert incomplete.reason == "needs 3 seeds of dqn-random-2-code"
+    trained["dqn-random-2-code"] = runs(20_000, *dqn)
+    assert verdict("autoencoder", Evidence(trained)) == expected
+
+
 def start_figures(correlation: float, early: float, late: float, x: float) -> dict[str, Any]:
     moments = [
         {"step": step, "mean_m": [x, 0.0], "deviation_m": [spread, 0.1], "share_inside": 0.2}

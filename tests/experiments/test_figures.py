@@ -59,6 +59,18 @@ def example(name: str) -> Data:
             "blocks": BLOCKS,
             "seeds": [{"seed": seed, "moments": moments} for seed in (0, 1)],
         },
+        "autoencoder": {
+            "runs": by_variant,
+            "quality": {"mean_absolute_error_px": 0.7},
+            "scenes": [
+                {
+                    "scenario": "random-2",
+                    "map_px": rng.uniform(-1, 9, (64, 64)).tolist(),
+                    "reconstruction_px": rng.uniform(-1, 9, (64, 64)).tolist(),
+                }
+            ]
+            * 6,
+        },
     }[name]
 
 

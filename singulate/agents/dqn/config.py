@@ -8,6 +8,7 @@ from singulate.agents.config_fields import (
     check_number,
     check_positive,
 )
+from singulate.agents.encoder_setting import check_encoder
 from singulate.agents.net_arch import PAPER_NET_ARCH, check_net_arch
 
 
@@ -34,6 +35,8 @@ class DQNConfig:
             same in all eight symmetries of the square.
         symmetric_values: Act, once training is over, on the mean of the values that the network
             gives to the eight symmetric copies of a scene.
+        encoder: Directory of an autoencoder whose code of the distance map is the agent's state;
+            None for the map itself.
     """
 
     learning_rate: float = 5e-4
@@ -49,6 +52,7 @@ class DQNConfig:
     exploration_final_eps: float = 0.05
     symmetries: bool = True
     symmetric_values: bool = False
+    encoder: str | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "net_arch", check_net_arch("net_arch", self.net_arch))
@@ -64,3 +68,4 @@ class DQNConfig:
         check_number("exploration_final_eps", self.exploration_final_eps, 0.0, 1.0)
         check_bool("symmetries", self.symmetries)
         check_bool("symmetric_values", self.symmetric_values)
+        check_encoder(self.encoder)

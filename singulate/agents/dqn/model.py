@@ -111,7 +111,7 @@ def build_model(config: DQNConfig, env: VecEnv, observation: str, seed: int) -> 
 
 def network_arguments(config: DQNConfig, observation: str) -> dict[str, object]:
     """Arguments of stable-baselines3's DQN policy."""
-    shared = policy_arguments(observation, adam_epsilon=1e-8)
+    shared = policy_arguments(observation, adam_epsilon=1e-8, encoder=config.encoder)
     return {"net_arch": list(config.net_arch), **shared}
 
 

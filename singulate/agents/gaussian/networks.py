@@ -12,6 +12,7 @@ class GaussianSettings(Protocol):
         learning_rate: Step size of Adam.
         net_arch: Widths of the fully connected layers, of actor and critic each.
         log_std_init: Logarithm of the Gaussian's standard deviation at the start.
+        encoder: Directory of an autoencoder whose code is the agent's state, or None.
     """
 
     @property
@@ -22,6 +23,9 @@ class GaussianSettings(Protocol):
 
     @property
     def log_std_init(self) -> float: ...  # noqa: D102
+
+    @property
+    def encoder(self) -> str | None: ...  # noqa: D102
 
 
 def network_arguments(config: GaussianSettings, observation: str) -> dict[str, object]:
@@ -35,5 +39,5 @@ def network_arguments(config: GaussianSettings, observation: str) -> dict[str, o
     return {
         "net_arch": {"pi": widths, "vf": list(widths)},
         "log_std_init": config.log_std_init,
-        **policy_arguments(observation, adam_epsilon=1e-5),
+        **policy_arguments(observation, adam_epsilon=1e-5, encoder=config.encoder),
     }

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from singulate.agents.config_fields import check_int, check_number, check_positive
+from singulate.agents.encoder_setting import check_encoder
 from singulate.agents.net_arch import PAPER_NET_ARCH, check_net_arch
 from singulate.exceptions import InvalidValueError
 
@@ -23,6 +24,8 @@ class PPOConfig:
         clip_range: Epsilon of the clipped objective (section 2).
         ent_coef: Weight of the entropy bonus.
         log_std_init: Logarithm of the Gaussian's standard deviation at the start.
+        encoder: Directory of an autoencoder whose code of the distance map is the agent's state;
+            None for the map itself.
     """
 
     learning_rate: float = 5e-4
@@ -35,6 +38,7 @@ class PPOConfig:
     clip_range: float = 0.2
     ent_coef: float = 0.0
     log_std_init: float = 0.0
+    encoder: str | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "net_arch", check_net_arch("net_arch", self.net_arch))
@@ -51,3 +55,4 @@ class PPOConfig:
         check_positive("clip_range", self.clip_range, 1.0)
         check_number("ent_coef", self.ent_coef, 0.0, 10.0)
         check_number("log_std_init", self.log_std_init, -5.0, 5.0)
+        check_encoder(self.encoder)

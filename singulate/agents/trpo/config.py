@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from singulate.agents.config_fields import check_int, check_number, check_positive
+from singulate.agents.encoder_setting import check_encoder
 from singulate.agents.net_arch import PAPER_NET_ARCH, check_net_arch
 from singulate.exceptions import InvalidValueError
 
@@ -27,6 +28,8 @@ class TRPOConfig:
         cg_max_steps: Steps of the conjugate gradient method that finds the update's direction.
         cg_damping: What is added to the diagonal of the Fisher matrix there.
         log_std_init: Logarithm of the Gaussian's standard deviation at the start.
+        encoder: Directory of an autoencoder whose code of the distance map is the agent's state;
+            None for the map itself.
     """
 
     learning_rate: float = 5e-4
@@ -40,6 +43,7 @@ class TRPOConfig:
     cg_max_steps: int = 15
     cg_damping: float = 0.1
     log_std_init: float = 0.0
+    encoder: str | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "net_arch", check_net_arch("net_arch", self.net_arch))
@@ -57,3 +61,4 @@ class TRPOConfig:
         check_int("cg_max_steps", self.cg_max_steps, 1, 1000)
         check_positive("cg_damping", self.cg_damping, 10.0)
         check_number("log_std_init", self.log_std_init, -5.0, 5.0)
+        check_encoder(self.encoder)

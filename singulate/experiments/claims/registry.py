@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 from singulate.experiments.claims import (
     action,
+    autoencoder,
     dqn_random,
     dqn_values,
     ppo_fixed,
@@ -32,6 +33,7 @@ CLAIMS: tuple[Callable[[Evidence], Claim], ...] = tuple(
         dqn_values,
         separation,
         trpo,
+        autoencoder,
     )
 )
 

@@ -1,7 +1,8 @@
 """How much a reproduction computes."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
+from singulate.agents.autoencoder.config import AutoencoderConfig
 from singulate.agents.config_fields import check_int
 from singulate.exceptions import InvalidValueError
 from singulate.training.config import MAX_SEED
@@ -23,6 +24,7 @@ class Plan:
         num_scenes: Scenes of each ceiling.
         resolution: Starts along each side of the reward maps of Fig. 2.
         evaluation_seed: Decides the unseen scenes.
+        autoencoder: What agents look through that see a code.
 
     Raises:
         InvalidValueError: If a value is not allowed.
@@ -35,6 +37,7 @@ class Plan:
     num_scenes: int = 1000
     resolution: int = 64
     evaluation_seed: int = 7
+    autoencoder: AutoencoderConfig = field(default_factory=AutoencoderConfig)
 
     def __post_init__(self) -> None:
         if not self.seeds:
@@ -58,4 +61,7 @@ class Plan:
 
 def quick_plan() -> Plan:
     """One seed and minutes instead of hours: shows that everything works, and proves nothing."""
-    return Plan((0,), QUICK_STEPS, True, episodes=50, num_scenes=20, resolution=16)
+    quick = AutoencoderConfig(num_scenes=200, num_updates=100)
+    return Plan(
+        (0,), QUICK_STEPS, True, episodes=50, num_scenes=20, resolution=16, autoencoder=quick
+    )

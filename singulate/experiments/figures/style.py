@@ -15,7 +15,7 @@ from singulate.geometry import Poses, Workspace
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
+    from matplotlib.figure import Figure, FigureBase
 
 BLUE, ORANGE, GREEN, GREY = "#0072B2", "#D55E00", "#009E73", "#666666"
 MAP_COLOURS = "viridis"
@@ -30,11 +30,16 @@ def new_figure(
     num_rows: int, num_cols: int, height: float, **options: Any
 ) -> tuple["Figure", list["Axes"]]:
     """An empty figure and its panels, row after row; `height` in inches."""
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(WIDTH_INCHES, height), layout="constrained", facecolor="white")
+    figure = empty_figure(height)
     panels = figure.subplots(num_rows, num_cols, squeeze=False, **options)
     return figure, list(panels.ravel())
+
+
+def empty_figure(height: float) -> "Figure":
+    """A figure without panels; `height` in inches."""
+    from matplotlib.figure import Figure
+
+    return Figure(figsize=(WIDTH_INCHES, height), layout="constrained", facecolor="white")
 
 
 def save_figure(figure: "Figure", path: Path) -> None:
@@ -75,7 +80,7 @@ def draw_band(panel: "Axes", steps: Any, values: Any, colour: str, label: str) -
     )
 
 
-def note_seeds(figure: "Figure", text: str, num_seeds: int, more: str = "") -> None:
+def note_seeds(figure: "FigureBase", text: str, num_seeds: int, more: str = "") -> None:
     """Say below a figure of curves what they are of, and of how many seeds."""
     seeds = f"median and range over {num_seeds} seeds" if num_seeds > 1 else "one seed"
     figure.supxlabel(f"{text}, {seeds}{more}", fontsize=SMALL, color="0.35")

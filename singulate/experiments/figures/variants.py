@@ -18,6 +18,7 @@ class Variant:
         total_timesteps: Pushes of the training in full.
         env: The task.
         is_length_given: Whether the paper gives the length, so that it stays as it is.
+        is_coded: Whether the agent sees an autoencoder's code of the distance map.
     """
 
     label: str
@@ -25,6 +26,7 @@ class Variant:
     total_timesteps: int
     env: EnvConfig
     is_length_given: bool = False
+    is_coded: bool = False
 
     def cells(self, plan: Plan) -> list[Cell]:
         """Its trainings, one a seed."""
@@ -34,6 +36,7 @@ class Variant:
                 TrainingConfig(self.agent, self.env, steps, seed),
                 plan.episodes,
                 plan.evaluation_seed,
+                autoencoder=plan.autoencoder if self.is_coded else None,
             )
             for seed in plan.seeds
         ]
@@ -60,6 +63,9 @@ VARIANTS: dict[str, Variant] = {
     "ppo-fixed-2-start": Variant(
         "r_Start and r_Inside", "ppo", PPO_STEPS, EnvConfig("fixed-2", reward="start"), True
     ),
+    "ppo-fixed-2-code": Variant(
+        "learned code", "ppo", PPO_STEPS, EnvConfig("fixed-2"), is_coded=True
+    ),
     "ppo-random-2": Variant("PPO", "ppo", PPO_STEPS, EnvConfig("random-2")),
     "dqn-fixed-2-start": Variant(
         "r_Start and r_Inside",
@@ -72,6 +78,9 @@ VARIANTS: dict[str, Variant] = {
         "r_Dist alone", "dqn", 10_000, EnvConfig("fixed-2", action="grid", reward="separation")
     ),
     "dqn-random-2": Variant("DQN", "dqn", DQN_STEPS, EnvConfig("random-2", action="grid")),
+    "dqn-random-2-code": Variant(
+        "learned code", "dqn", DQN_STEPS, EnvConfig("random-2", action="grid"), is_coded=True
+    ),
     "dqn-random-3": Variant("DQN", "dqn", DQN_STEPS, EnvConfig("random-3", action="grid")),
     "trpo-random-2": Variant("TRPO", "trpo", PPO_STEPS, EnvConfig("random-2")),
 }
