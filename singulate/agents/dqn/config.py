@@ -31,6 +31,10 @@ class DQNConfig:
             training is over: it does not shake with the last few updates.
         exploration_steps: Pushes over which the exploration rate falls from 1 to its final value.
         exploration_final_eps: Exploration rate from then on.
+        exploration_aimed: Share of the explored pushes that start near an object and head for one;
+            the others are uniform. Of uniform pushes on ``random-2``, 7 in 1,000 succeed.
+        best_share: Share of each batch that is drawn among the tenth of all pushes with the highest
+            rewards.
         symmetries: Replay each push turned and mirrored at random: the table looks and behaves the
             same in all eight symmetries of the square.
         symmetric_values: Act, once training is over, on the mean of the values that the network
@@ -50,6 +54,8 @@ class DQNConfig:
     tau: float = 1.0
     exploration_steps: int = 6_000
     exploration_final_eps: float = 0.05
+    exploration_aimed: float = 0.0
+    best_share: float = 0.0
     symmetries: bool = True
     symmetric_values: bool = False
     encoder: str | None = None
@@ -66,6 +72,8 @@ class DQNConfig:
         check_positive("tau", self.tau, 1.0)
         check_int("exploration_steps", self.exploration_steps, 1)
         check_number("exploration_final_eps", self.exploration_final_eps, 0.0, 1.0)
+        check_number("exploration_aimed", self.exploration_aimed, 0.0, 1.0)
+        check_number("best_share", self.best_share, 0.0, 1.0)
         check_bool("symmetries", self.symmetries)
         check_bool("symmetric_values", self.symmetric_values)
         check_encoder(self.encoder)

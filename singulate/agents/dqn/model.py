@@ -15,6 +15,10 @@ from singulate.agents.dqn.replay import SymmetricReplayBuffer
 from singulate.agents.dqn.update import gradient_step
 from singulate.agents.network import policy_arguments
 from singulate.agents.overlap import OverlappedSteps, OverlappedUpdates
+from singulate.agents.spatial.exploration import aimed_push
+from singulate.agents.spatial.replay import as_distance_maps
+from singulate.envs import GridActions
+from singulate.geometry import Workspace
 
 
 class GridDQN(OverlappedUpdates, DQN):
@@ -31,10 +35,21 @@ class GridDQN(OverlappedUpdates, DQN):
         predicted_values: Expected (scaled) reward of the pushes chosen last, float32 (num_envs,).
     """
 
-    def __init__(self, *args: Any, exploration_steps: int, **kwargs: Any) -> None:
+    def __init__(
+        self,
+        *args: Any,
+        exploration_steps: int,
+        exploration_aimed: float,
+        observation: str,
+        **kwargs: Any,
+    ) -> None:
         super().__init__(*args, **kwargs)
         self.exploration_steps = exploration_steps
+        self.exploration_aimed = exploration_aimed
         self.exploration_rate = 1.0
+        self._observation = observation
+        self._workspace = Workspace()
+        self._encoding = GridActions(self._workspace)
         self.exploration_rng = np.random.default_rng(self.seed)
         self.predicted_values: npt.NDArray[np.float32] = np.zeros(self.n_envs, np.float32)
 
@@ -69,9 +84,19 @@ class GridDQN(OverlappedUpdates, DQN):
         rate = 1.0 if self.num_timesteps < learning_starts else self.exploration_rate
         is_random = self.exploration_rng.random(n_envs) < rate
         random_actions = self.exploration_rng.integers(self.action_space.n, size=n_envs)
+        if self.exploration_aimed > 0.0:
+            self._aim(random_actions, is_random)
         actions = np.where(is_random, random_actions, values.argmax(axis=1))
         self.predicted_values = values[np.arange(n_envs), actions]
         return actions, actions
+
+    def _aim(self, actions: npt.NDArray[np.int64], is_random: npt.NDArray[np.bool_]) -> None:
+        """Let its share of the explored pushes head for objects, in place."""
+        is_aimed = is_random & (self.exploration_rng.random(len(actions)) < self.exploration_aimed)
+        for index in np.flatnonzero(is_aimed):
+            image = as_distance_maps(self._last_obs[[index]], self._observation)[0]
+            push = aimed_push(image, self._workspace, self.exploration_rng)
+            actions[index] = self._encoding.encode(push)
 
 
 def build_model(config: DQNConfig, env: VecEnv, observation: str, seed: int) -> GridDQN:
@@ -95,11 +120,17 @@ def build_model(config: DQNConfig, env: VecEnv, observation: str, seed: int) -> 
         train_freq=1,
         gradient_steps=config.gradient_steps * env.num_envs,
         replay_buffer_class=SymmetricReplayBuffer,
-        replay_buffer_kwargs={"seed": seed, "symmetries": config.symmetries},
+        replay_buffer_kwargs={
+            "seed": seed,
+            "best_share": config.best_share,
+            "symmetries": config.symmetries,
+        },
         target_update_interval=config.target_update_interval,
         tau=config.tau,
         exploration_final_eps=config.exploration_final_eps,
         exploration_steps=config.exploration_steps,
+        exploration_aimed=config.exploration_aimed,
+        observation=observation,
         policy_kwargs=network_arguments(config, observation),
         seed=seed,
         device="cpu",

@@ -5,15 +5,12 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 import torch
-from stable_baselines3.common.buffers import ReplayBuffer
 
 from singulate.agents.policy import FloatMap
+from singulate.agents.replay import SeededReplayBuffer
 from singulate.agents.spatial.turning import to_turned_pixels, turn_each
 from singulate.agents.spatial.window import cut_windows, mirror_each
 from singulate.perception import distance_map
-
-_BEST_PART = 10
-"""One push in so many counts among the best."""
 
 
 class PushBatch(NamedTuple):
@@ -30,27 +27,20 @@ class PushBatch(NamedTuple):
     rewards: torch.Tensor
 
 
-class PushMemory(ReplayBuffer):
+class PushMemory(SeededReplayBuffer):
     """Pushes with ``point`` actions.
 
     Args:
-        seed: Seed of the memory's own generator.
-        best_share: Share of a batch that is drawn among the tenth with the highest rewards.
         observation: Name of the observations in it.
     """
 
-    def __init__(
-        self, *args: Any, seed: int, best_share: float, observation: str, **kwargs: Any
-    ) -> None:
+    def __init__(self, *args: Any, observation: str, **kwargs: Any) -> None:
         super().__init__(*args, **kwargs)
-        self.rng = np.random.default_rng(seed)
-        self.best_share = best_share
         self._observation = observation
 
     def sample_pushes(self, batch_size: int) -> PushBatch:
         """Draw pushes with replacement, each mirrored or not."""
-        drawn = self._draw(batch_size)
-        chosen = np.divmod(drawn, self.n_envs)
+        chosen = np.divmod(self.draw(batch_size), self.n_envs)
         actions = self.actions[chosen].astype(np.float64)
         directions = directions_of(actions)
         maps = as_distance_maps(self.observations[chosen], self._observation)
@@ -61,18 +51,6 @@ class PushMemory(ReplayBuffer):
         windows = cut_windows(turned, pixels, self.rng)
         arrays = (windows.canvases, windows.pixels, self.rewards[chosen])
         return PushBatch(*map(torch.from_numpy, arrays))
-
-    def _draw(self, batch_size: int) -> npt.NDArray[np.int64]:
-        """Numbers of pushes, counted over all environments."""
-        size = self.size() * self.n_envs
-        drawn = self.rng.integers(0, size, size=batch_size)
-        num_best = size // _BEST_PART
-        num_from_best = int(batch_size * self.best_share) if num_best else 0
-        if num_from_best:
-            rewards = self.rewards[: self.size()].ravel()
-            best = np.argpartition(-rewards, num_best - 1)[:num_best]
-            drawn[:num_from_best] = best[self.rng.integers(0, num_best, size=num_from_best)]
-        return drawn
 
 
 def directions_of(actions: npt.NDArray[np.float64]) -> npt.NDArray[np.int64]:
