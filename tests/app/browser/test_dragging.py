@@ -61,7 +61,12 @@ def test_shift_turns_a_block_in_its_place(page: Any) -> None:
 
 
 def test_buttons_add_and_remove_a_block(page: Any) -> None:
+    assert not page.is_visible("/blocks/2")
+    before = [page.position(f"/blocks/{index}") for index in (0, 1)]
     page.button("Add").click()
-    page.wait(lambda: page.node("/blocks/2") is not None and page.is_visible("/blocks/2"))
+    page.wait(lambda: page.is_visible("/blocks/2"))
+    added = page.position("/blocks/2")
+    assert all(math.dist(added[:2], other[:2]) > 0.2 for other in before)
     page.button("Remove").click()
     page.wait(lambda: not page.is_visible("/blocks/2"))
+    assert [page.position(f"/blocks/{index}") for index in (0, 1)] == before
