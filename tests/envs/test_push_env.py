@@ -216,7 +216,7 @@ def test_a_bad_action_is_refused(encoding, action):
 
 
 def test_physics_gone_wrong_truncates_the_episode_and_says_how():
-    env = singulate.envs.PushEnv(scenario="random-2")
+    env = singulate.envs.PushEnv(scenario="random-2", max_pushes=3)
     env.task.scene.close()
     env.task.scene = Scene(physics=dataclasses.replace(Physics(), max_speed=1e-6))
     before, _ = env.reset(options={"blocks": ROW})
