@@ -1,7 +1,6 @@
 """Where every child process begins."""
 
 import importlib
-import multiprocessing
 import os
 import signal
 import sys
@@ -37,7 +36,6 @@ def run_child(
     """
     die_with_parent(parent_pid)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    _allow_children()
     if niceness:
         os.nice(niceness)
     module_name, _, function_name = target.partition(":")
@@ -50,10 +48,3 @@ def run_child(
         line = str(error).strip().splitlines()
         connection.send(ChildFailed(f"{type(error).__name__}: {line[0] if line else ''}"))
         sys.exit(1)
-
-
-def _allow_children() -> None:
-    # Children are daemonic so that the interpreter ends them at exit instead of waiting for them;
-    # multiprocessing refuses children to daemonic processes, and reward maps need workers.
-    config: dict[str, object] = getattr(multiprocessing.current_process(), "_config")  # noqa: B009
-    config["daemon"] = False

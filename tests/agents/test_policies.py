@@ -3,19 +3,13 @@ import pytest
 
 from singulate.agents.policy import HasQMap, HasStartDensity, Policy
 from singulate.agents.random_policy import RandomPolicy
-from singulate.agents.registry import agent_kind
+from singulate.agents.registry import AGENTS, agent_kind
 from singulate.envs import EnvConfig, PushEnv
 from singulate.exceptions import InvalidValueError
 from singulate.geometry import Direction, Push
 
-CONFIGS = {
-    "dqn": EnvConfig("random-2", action="grid"),
-    "ppo": EnvConfig("random-2", observation="mask", action="point"),
-    "multimodal-ppo": EnvConfig("random-2", action="point"),
-    "trpo": EnvConfig("random-2", action="point"),
-    "sac": EnvConfig("random-2", action="point"),
-    "td3": EnvConfig("random-2", observation="mask", action="point"),
-}
+CONFIGS = {name: EnvConfig("random-2", action=kind.actions[0]) for name, kind in AGENTS.items()}
+CONFIGS |= {n: EnvConfig("random-2", observation="mask", action="point") for n in ("ppo", "td3")}
 
 
 def _policy(name: str, **settings: object) -> Policy:

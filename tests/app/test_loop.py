@@ -38,5 +38,6 @@ def test_a_calm_page_is_seldom_looked_after(laboratory):
     threading.Timer(CALM_AFTER_S + WATCHED_S, stop.set).start()
     dashboard.run(stop)
     num_ticks = laboratory.num_ticks - before
-    assert num_ticks <= 30 * CALM_AFTER_S + 4 * WATCHED_S + 4
+    # On a busy machine the rounds are rarer, but nothing may be left to itself.
+    assert WATCHED_S < num_ticks <= 30 * CALM_AFTER_S + 4 * WATCHED_S + 4
     server.stop()

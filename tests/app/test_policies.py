@@ -134,9 +134,14 @@ def test_a_bad_checkpoint_is_told_and_the_old_policy_stays(bench, untrained, tmp
     bench.until(lambda s: notice not in s.notices)
 
 
-def test_following_a_run_needs_one(bench):
+def test_following_a_run_needs_one(bench, untrained):
+    policy = load(bench, untrained / "dqn-untrained")
+    known = set(bench.texts)
     bench.do(LoadPolicy("run"))
-    bench.until(lambda s: any("a watched run with a checkpoint" in text for text in bench.texts))
+    bench.until(lambda s: set(bench.texts) - known)
+    (text,) = set(bench.texts) - known
+    assert "a watched run with a checkpoint" in text
+    assert (bench.snapshot.policy.source, bench.snapshot.policy.is_live) == (policy.source, False)
 
 
 def test_a_killed_process_loads_its_policy_again(bench, untrained):

@@ -87,8 +87,11 @@ def test_a_closed_laboratory_may_be_closed_again(make_bench):
     bench = make_bench()
     bench.do(PushNow(Push.cardinal((-0.6, 0.7), Direction.RIGHT, 0.5)))
     bench.until(lambda s: s.scene.is_pushing)
-    bench.laboratory.close()
-    bench.laboratory.close()
+    processes = [psutil.Process(pid) for pid in bench.laboratory.pids.values() if pid]
+    assert len(processes) == 2
+    for _ in range(2):
+        assert bench.laboratory.close() is None
+    assert not any(process.is_running() for process in processes)
 
 
 @pytest.mark.parametrize(

@@ -21,3 +21,10 @@ def test_another_project_called_app_is_not_started(tmp_path: Path) -> None:
     )
     assert done.returncode == 0, done.stderr
     assert "python -m app" in done.stdout
+
+
+def test_options_are_passed_on() -> None:
+    command = [sys.executable, "-m", "singulate", "app", "--port", "70000"]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == "singulate: error: --port: 70000 is not allowed; allowed: 0 to 65535\n"

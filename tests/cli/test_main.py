@@ -1,9 +1,11 @@
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
 from singulate.cli import COMMANDS, main
+from singulate.cli.runs import CONTROLS
 
 
 def _status(*arguments: str) -> int:
@@ -25,10 +27,16 @@ def test_help_lists_every_command_without_loading_torch() -> None:
     assert all(name in done.stdout for name in COMMANDS)
 
 
-@pytest.mark.parametrize("name", [name for name in COMMANDS if name != "app"])
-def test_every_command_has_help(name: str, capsys: pytest.CaptureFixture[str]) -> None:
-    assert _status(name, "--help") == 0
-    assert "--json" in capsys.readouterr().out or name == "runs"
+PLAIN = [(name,) for name in COMMANDS if name not in ("app", "runs")]
+OF_RUNS = [("runs", name) for name in ("list", "show", "export", "delete", *CONTROLS)]
+
+
+@pytest.mark.parametrize("words", [*PLAIN, *OF_RUNS], ids=" ".join)
+def test_every_command_has_help_and_speaks_json(
+    words: tuple[str, ...], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert _status(*words, "--help") == 0
+    assert "--json" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(
@@ -47,6 +55,7 @@ def test_every_command_has_help(name: str, capsys: pytest.CaptureFixture[str]) -
         (("train", "--resume", "nowhere"), "nowhere"),
         (("train", "--resume", "nowhere", "--agent", "dqn"), "nothing beside --resume"),
         (("train", "--config", "nowhere.json"), "nowhere.json"),
+        (("train", "--config", "nowhere.json", "--steps", "5"), "nothing beside --config"),
         (("evaluate", "nowhere"), "nowhere"),
         (("evaluate", "random", "--episodes", "0"), "episodes"),
         (("evaluate", "random", "--goal-separation", "nan"), "goal_separation"),
@@ -63,8 +72,10 @@ def test_bad_input_is_one_line_and_status_2(
     assert said in captured.err
 
 
-def test_app_passes_its_options_on() -> None:
-    command = [sys.executable, "-m", "singulate", "app", "--help"]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=60)
-    assert done.returncode == 0
-    assert "python -m app" in done.stdout
+def test_a_reader_that_has_left_is_no_traceback(tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "singulate", "runs", "list", "--runs-dir", str(tmp_path)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        assert process.stdout is not None and process.stderr is not None
+        process.stdout.close()
+        assert process.stderr.read() == b""
+    assert process.returncode == 2

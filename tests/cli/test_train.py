@@ -58,15 +58,43 @@ def test_an_existing_run_is_not_touched(tmp_path: Path, capsys: pytest.CaptureFi
 
 def test_ctrl_c_saves_a_checkpoint_and_exits_with_130(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "singulate", "train", "--agent", "dqn", "--steps", "100000"]
-    process = subprocess.Popen(
-        [*command, *SMALL, "--run-dir", str(tmp_path / "run")], stdout=subprocess.DEVNULL
-    )
-    deadline = time.monotonic() + 60.0
-    while RunReader(tmp_path / "run").last_step() < 10:
-        assert time.monotonic() < deadline and process.poll() is None
-        time.sleep(0.05)
-    process.send_signal(signal.SIGINT)
-    assert process.wait(timeout=30) == 130
+    command += [*SMALL, "--run-dir", str(tmp_path / "run")]
+    with subprocess.Popen(command, stdout=subprocess.DEVNULL) as process:
+        try:
+            deadline = time.monotonic() + 60.0
+            while RunReader(tmp_path / "run").last_step() < 10:
+                assert time.monotonic() < deadline and process.poll() is None
+                time.sleep(0.05)
+            process.send_signal(signal.SIGINT)
+            assert process.wait(timeout=30) == 130
+        finally:
+            process.kill()  # a training that failed the test does not go on behind it
     assert read_status(tmp_path / "run").state == "stopped"
     newest = RunDirectory(tmp_path / "run").latest_checkpoint()
     assert newest is not None and newest.name != "step-000000000"
+
+
+def test_every_option_reaches_the_run_and_its_configuration_repeats_it(tmp_path: Path) -> None:
+    first, again = RunDirectory(tmp_path / "first"), RunDirectory(tmp_path / "again")
+    env = {
+        "scenario": "cluster-3", "observation": "mask", "action": "grid", "reward": "start",
+        "max_pushes": 2, "goal_separation": 0.2,
+    }  # fmt: skip
+    own = {"seed": 3, "num_envs": 2, "num_workers": 0, "checkpoint_every": 6}
+    options = {name.removeprefix("num_"): value for name, value in {**env, **own}.items()}
+    command = ["train", "--agent", "dqn", "--steps", "12", *SMALL]
+    for name, value in options.items():
+        command += ["--" + name.replace("_", "-"), str(value)]
+    assert main([*command, "--run-dir", str(first.path)]) == 0
+    config = first.read_config()
+    assert config["env"] == env | {"exact": False}
+    assert {name: config[name] for name in own} == own
+    assert (config["agent"], config["agent_config"]["net_arch"]) == ("dqn", [16])
+    names = sorted(path.name for path in first.checkpoints_path.iterdir())
+    assert names == [f"step-{step:09d}" for step in (0, 6, 12)]
+
+    repeat = ["--config", str(first.config_path), "--run-dir", str(again.path)]
+    assert main(["train", *repeat]) == 0
+    assert again.read_config() == config
+    for weights in first.checkpoints_path.glob("*/weights.safetensors"):
+        assert (again.path / weights.relative_to(first.path)).read_bytes() == weights.read_bytes()

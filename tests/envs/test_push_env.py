@@ -1,5 +1,7 @@
 """``singulate/Push-v0`` as its users rely on it."""
 
+import dataclasses
+
 import gymnasium
 import numpy as np
 import pytest
@@ -8,6 +10,7 @@ import singulate.envs
 from singulate.exceptions import InvalidValueError
 from singulate.geometry import Direction, Push
 from singulate.rewards import make_reward
+from singulate.simulation import Physics, Scene
 
 ROW = [{"x": -0.1, "y": 0.0, "side": 0.2}, {"x": 0.1, "y": 0.0, "side": 0.2}]
 FROM_BELOW = (0.1, -0.3)
@@ -209,4 +212,43 @@ def test_a_bad_action_is_refused(encoding, action):
     env.reset(seed=0)
     with pytest.raises(InvalidValueError, match="action"):
         env.step(action)
+    env.close()
+
+
+def test_physics_gone_wrong_truncates_the_episode_and_says_how():
+    env = singulate.envs.PushEnv(scenario="random-2", max_pushes=3)
+    env.task.scene.close()
+    env.task.scene = Scene(physics=dataclasses.replace(Physics(), max_speed=1e-6))
+    before, _ = env.reset(options={"blocks": ROW})
+    after, reward, terminated, truncated, info = env.step(point(*FROM_BELOW, Direction.UP))
+    assert (reward, terminated, truncated) == (0.0, False, True)
+    assert "as before the push" in info["simulation_error"]
+    assert not any(info["reward_terms"].values())
+    assert info["poses"] == info["poses_before"]
+    assert (before == after).all()
+    env.close()
+
+
+@pytest.mark.parametrize(
+    ("action", "closest"),
+    [
+        ("grid", [Direction.RIGHT * 100 + 6 * 10 + 2]),
+        ("point", [-0.52, -0.27, -0.25]),
+        ("start_end", [-0.52, -0.27, -0.02, -0.27]),
+    ],
+)
+def test_a_push_of_a_policy_becomes_the_closest_action(action, closest):
+    env = singulate.envs.PushEnv(action=action)
+    encoded = env.encode(Push.cardinal((-0.52, -0.27), Direction.RIGHT, 0.5))
+    assert np.ravel(encoded) == pytest.approx(closest)
+    assert env.action_space.contains(encoded)
+    env.close()
+
+
+def test_a_step_needs_a_scene_and_a_reset_only_known_options():
+    env = singulate.envs.PushEnv()
+    with pytest.raises(gymnasium.error.ResetNeeded):
+        env.step(point(*FROM_BELOW, Direction.UP))
+    with pytest.raises(InvalidValueError, match="options: 'colour' is not allowed"):
+        env.reset(options={"blocks": ROW, "colour": "red"})
     env.close()

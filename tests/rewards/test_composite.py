@@ -28,13 +28,13 @@ def test_a_term_without_weight_counts_nothing() -> None:
 
 
 def test_warmup_weights_hold_for_exactly_the_first_pushes() -> None:
-    reward = RewardFunction("scheduled", {"distance": 10.0}, 3, {"start": 4.0})
+    reward = RewardFunction("scheduled", {"distance": 20.0}, 3, {"start": 4.0})
     totals = [reward.total(VALUES, num_pushes) for num_pushes in range(5)]
-    assert totals == [2.0, 2.0, 2.0, 2.0, 2.0]
+    assert totals == [2.0, 2.0, 2.0, 4.0, 4.0]
     shares = [reward.weighted(VALUES, num_pushes)["start"] for num_pushes in range(5)]
     assert shares == [2.0, 2.0, 2.0, 0.0, 0.0]
     assert reward.weights_at(2) == {"start": 4.0}
-    assert reward.weights_at(3) == {"distance": 10.0}
+    assert reward.weights_at(3) == {"distance": 20.0}
 
 
 def test_a_missing_term_is_an_error() -> None:

@@ -38,8 +38,10 @@ def test_a_directory_with_other_things_is_left_alone(tmp_path: Path) -> None:
 
 
 def test_the_log_of_a_trainer_that_is_starting_may_be_there(tmp_path: Path) -> None:
-    (tmp_path / "trainer.log").touch()
-    RunDirectory(tmp_path).create({})
+    (tmp_path / "trainer.log").write_text("starting")
+    assert RunDirectory(tmp_path).create({"seed": 3}).is_run
+    assert RunDirectory(tmp_path).open().read_config() == {"seed": 3}
+    assert (tmp_path / "trainer.log").read_text() == "starting"
 
 
 def test_missing_and_foreign(tmp_path: Path) -> None:

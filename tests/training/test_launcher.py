@@ -3,6 +3,7 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -11,22 +12,39 @@ import pytest
 from singulate.agents.loading import load_policy
 from singulate.exceptions import RunError
 from singulate.runs import RunReader, read_status
+from singulate.training.config import TrainingConfig
 from singulate.training.launcher import TrainerProcess, start_trainer
 
 
+@pytest.fixture
+def launch() -> Iterator[Callable[[TrainingConfig | None, Path], TrainerProcess]]:
+    """Starts trainers, none of which outlives its test."""
+    started: list[TrainerProcess] = []
+
+    def start(config: TrainingConfig | None, run_dir: Path) -> TrainerProcess:
+        started.append(start_trainer(config, run_dir))
+        return started[-1]
+
+    yield start
+    for trainer in started:
+        trainer.process.kill()
+        trainer.process.wait()
+
+
 def test_importing_the_launcher_pulls_no_torch() -> None:
-    code = (
-        "import sys, singulate.training.launcher, singulate.training.config; "
-        "sys.exit('torch' in sys.modules or 'stable_baselines3' in sys.modules)"
-    )
-    subprocess.run([sys.executable, "-c", code], check=True, timeout=60)
+    modules = "singulate.training.launcher, singulate.training.config"
+    code = f"import sys, {modules}\nprint(*sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    loaded = set(done.stdout.split())
+    assert "singulate.training.launcher" in loaded, done.stderr
+    assert not loaded & {"torch", "stable_baselines3"}
 
 
 def test_a_killed_trainer_is_explained_and_its_run_goes_on(
-    tmp_path: Path, make_config: Any
+    tmp_path: Path, make_config: Any, launch: Any
 ) -> None:
     run_dir = tmp_path / "run"
-    trainer = start_trainer(make_config("dqn", 100_000, checkpoint_every=20), run_dir)
+    trainer = launch(make_config("dqn", 100_000, checkpoint_every=20), run_dir)
     assert os.getsid(trainer.process.pid) == trainer.process.pid
     _wait_for_steps(trainer, 50, generation=0)
     assert trainer.death() is None
@@ -37,7 +55,7 @@ def test_a_killed_trainer_is_explained_and_its_run_goes_on(
     assert status.state == "died" and "killed?" in status.error
     assert load_policy(run_dir).kind == "dqn"
 
-    again = start_trainer(None, run_dir)
+    again = launch(None, run_dir)
     _wait_for_steps(again, 80, generation=1)
     again.process.send_signal(signal.SIGTERM)
     assert again.process.wait(timeout=30) == 0
@@ -46,11 +64,13 @@ def test_a_killed_trainer_is_explained_and_its_run_goes_on(
     assert steps == list(range(1, len(steps) + 1))
 
 
-def test_a_trainer_that_cannot_start_says_why(tmp_path: Path, make_config: Any) -> None:
+def test_a_trainer_that_cannot_start_says_why(
+    tmp_path: Path, make_config: Any, launch: Any
+) -> None:
     run_dir = tmp_path / "run"
     run_dir.mkdir()
     (run_dir / "holiday.jpg").touch()
-    trainer = start_trainer(make_config("dqn", 10), run_dir)
+    trainer = launch(make_config("dqn", 10), run_dir)
     assert trainer.process.wait(timeout=60) == 2
     assert "holiday.jpg" in (trainer.death() or "")
 

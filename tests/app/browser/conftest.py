@@ -40,12 +40,25 @@ def browser() -> Iterator[Browser]:
 
 
 @pytest.fixture(scope="package")
-def app_process(tmp_path_factory: pytest.TempPathFactory) -> Iterator[subprocess.Popen[str]]:
+def opened(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A file for the address that a person's own browser is asked to open."""
+    return tmp_path_factory.mktemp("opened") / "address.txt"
+
+
+@pytest.fixture(scope="package")
+def app_process(
+    tmp_path_factory: pytest.TempPathFactory, opened: Path
+) -> Iterator[subprocess.Popen[str]]:
     log = (tmp_path_factory.mktemp("app") / "stderr.txt").open("w+")
+    own_browser = opened.with_name("browser.sh")
+    own_browser.write_text(f"#!/bin/sh\nprintf %s \"$1\" > '{opened}'\n")
+    own_browser.chmod(0o755)
+    scene = ("--scenario", "random-2", "--seed", "0")
     process = subprocess.Popen(
-        [sys.executable, "-m", "app", "--port", "0", "--scenario", "random-2", "--seed", "0"],
+        [sys.executable, "-m", "app", "--port", "0", "--open", *scene],
         cwd=ROOT,
-        env=os.environ | {"SINGULATE_RUNS": str(tmp_path_factory.mktemp("runs"))},
+        env=os.environ
+        | {"SINGULATE_RUNS": str(tmp_path_factory.mktemp("runs")), "BROWSER": str(own_browser)},
         stdout=subprocess.PIPE,
         stderr=log,
         text=True,

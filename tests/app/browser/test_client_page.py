@@ -3,12 +3,13 @@
 import statistics
 import time
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import asdict, dataclass, field, replace
 from typing import Any
 
 import pytest
 import viser
-from playwright.sync_api import Browser, Page
+from PIL import Image
+from playwright.sync_api import Browser, Download, Page
 
 from app.commands import (
     AgentPush,
@@ -21,7 +22,8 @@ from app.commands import (
     StepScene,
     Undo,
 )
-from app.page import ClientPage
+from app.page import PICTURE_SIZE, ClientPage
+from app.preferences import Preferences
 from app.snapshot import Snapshot
 from singulate.geometry import Direction
 
@@ -80,8 +82,13 @@ def open_stage(browser: Browser) -> Iterator[Stage]:
 
 @pytest.fixture
 def stage(open_stage: Stage, make_snapshot: Callable[..., Snapshot]) -> Stage:
+    """The page as it was opened, whatever was chosen on it before."""
+    assert open_stage.page is not None
     open_stage.snapshot = make_snapshot()
     open_stage.submitted.clear()
+    for name, value in asdict(Preferences()).items():
+        setattr(open_stage.page.preferences, name, value)
+    open_stage.window.get_by_role("tab", name="Interact").click()
     open_stage.window.evaluate("() => document.activeElement?.blur()")
     open_stage.play(0.4)
     return open_stage
@@ -176,7 +183,6 @@ def test_an_update_without_news_is_cheap_and_leaves_the_picture_alone(
     page.preferences.field = "none"
     assert page.wanted_fields == set()
     stage.until(lambda: page.draped is None)
-    page.preferences.field = "reward"
 
 
 def test_only_what_can_be_seen_is_wanted_and_drawn(stage: Stage) -> None:
@@ -195,7 +201,6 @@ def test_only_what_can_be_seen_is_wanted_and_drawn(stage: Stage) -> None:
     stage.until(lambda: page._fields.q.content != before)
     page.preferences.shows_all_directions = False
     assert page.wanted_fields == {"reward_map"}
-    page.preferences.shows_all_directions = True
 
     look_away = "Object.defineProperty(document, 'hidden', {configurable: true, value: true})"
     stage.window.evaluate(look_away)
@@ -220,7 +225,11 @@ def test_a_click_inspects_only_where_it_was_asked_to(stage: Stage) -> None:
 
 
 def test_a_picture_is_offered_as_a_download(stage: Stage) -> None:
-    stage.window.on("download", lambda download: names.append(download.suggested_filename))
-    names: list[str] = []
+    downloads: list[Download] = []
+    stage.window.on("download", downloads.append)
     stage.window.keyboard.press("x")
-    stage.until(lambda: names == ["singulate.png"], timeout_s=60.0)
+    stage.until(lambda: downloads, timeout_s=60.0)
+    (download,) = downloads
+    assert download.suggested_filename == "singulate.png"
+    with Image.open(download.path()) as picture:
+        assert (picture.height, picture.width) == PICTURE_SIZE

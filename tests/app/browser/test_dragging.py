@@ -61,7 +61,11 @@ def test_shift_turns_a_block_in_its_place(page: Any) -> None:
 
 
 def test_buttons_add_and_remove_a_block(page: Any) -> None:
+    assert not page.is_visible("/blocks/2")
     page.button("Add").click()
-    page.wait(lambda: page.node("/blocks/2") is not None and page.is_visible("/blocks/2"))
+    page.wait(lambda: page.is_visible("/blocks/2"))
+    first, second, added = places = [page.position(f"/blocks/{index}") for index in range(3)]
+    assert min(math.dist(added[:2], other[:2]) for other in (first, second)) > 0.2
     page.button("Remove").click()
     page.wait(lambda: not page.is_visible("/blocks/2"))
+    page.wait(lambda: {page.position("/blocks/0"), page.position("/blocks/1")} < set(places))

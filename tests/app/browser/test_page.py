@@ -81,24 +81,34 @@ def test_webgl_draws_the_table_between_the_panels(page: Any) -> None:
     page.wait(lambda: pixels(page.picture("light"))[:, 300:900].std() > 20)
 
 
-def test_the_camera_picture_and_both_blocks_are_seen(page: Any) -> None:
+def test_the_persons_own_browser_was_asked_to_open_it(
+    page: Any, app_url: str, opened: Path
+) -> None:
+    page.wait(opened.exists)
+    page.wait(opened.read_text)
+    assert opened.read_text() == app_url
+
+
+def test_both_blocks_are_seen_in_colour(page: Any) -> None:
     colours = pixels(page.picture("blocks")).astype(int)
     for index in (0, 1):
         x, y, z = page.position(f"/blocks/{index}")
         column, row = page.on_screen(x, y, 2 * z)
-        beside = colours[round(row), round(column)]
-        assert beside.max() - beside.min() > 40, "a block is not coloured"
+        seen = colours[round(row), round(column)]
+        assert seen.max() - seen.min() > 40, "a block is not coloured"
 
 
 def test_every_field_lies_on_the_table_in_turn(page: Any) -> None:
     page.tab("Fields")
-    drawn = []
-    for key in ("distance_map", "mask", "camera", "reward", "q", "error"):
+    keys = ("distance_map", "mask", "camera", "reward", "q", "error")
+    drawn: set[bytes] = set()
+    for key in keys:
         show_field(page, FIELDS_BY_KEY[key].label)
         page.wait(lambda: field_pixels(page)[..., :3].std() > 2, 20)
         page.wait(lambda: field_pixels(page).tobytes() not in drawn, 20)
-        drawn.append(field_pixels(page).tobytes())
+        drawn.add(field_pixels(page).tobytes())
         page.picture(f"field-{key}")
+    assert len(drawn) == len(keys)
     page.tab("Interact")
 
 
@@ -121,6 +131,7 @@ def test_the_field_is_the_right_way_up(page: Any) -> None:
 
 
 def test_dark_and_light_are_both_drawn(page: Any) -> None:
+    assert pixels(page.picture("light")).mean() > 140
     page.page.get_by_role("button", name="dark").first.click()
     page.wait(lambda: pixels(page.picture("dark")).mean() < 110)
     page.page.get_by_role("button", name="light").first.click()
@@ -143,10 +154,12 @@ def test_the_pages_process_holds_neither_physics_nor_learning(
 
 
 def test_reload_keeps_working(page: Any) -> None:
+    told = "up from (-0.60, 0.40)"
+    assert told not in page.text
     page.reload()
     page.press("1")
     page.click_table(-0.6, 0.4)
-    page.wait_for_text("up from (-0.60, 0.40)")
+    page.wait_for_text(told)
 
 
 def test_two_browsers_see_one_table(page: Any, open_page: Callable[[], Any]) -> None:

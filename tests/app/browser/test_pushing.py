@@ -69,9 +69,11 @@ def test_dragging_with_the_right_button_moves_the_camera_and_pushes_nothing(page
 
 
 def test_a_persons_own_push_is_called_theirs(page: Any) -> None:
+    told = "you: right from (-0.45, 0.72)"
+    assert told not in page.text
     page.press("2")
-    page.click_table(-0.55, 0.62)
-    page.wait(lambda: "you: right from (-0.55, 0.62)" in page.page.inner_text("body"))
+    page.click_table(-0.45, 0.72)
+    page.wait_for_text(told)
 
 
 def test_undo_brings_the_blocks_back(page: Any) -> None:
@@ -80,6 +82,7 @@ def test_undo_brings_the_blocks_back(page: Any) -> None:
     page.click_table(x - 0.3, y)
     page.wait(lambda: page.position("/blocks/0") != pytest.approx(before, abs=0.05))
     page.wait(lambda: not page.is_pushing)
+    assert page.position("/blocks/0") != pytest.approx(before, abs=0.05)
     page.press("z")
     page.wait(lambda: page.position("/blocks/0") == pytest.approx(before, abs=1e-4))
 

@@ -20,7 +20,7 @@ def test_the_diverging_map_is_lightest_in_its_middle():
     assert light[0] < 0.1 and light[-1] < 0.1
 
 
-def test_lightness_alone_tells_the_two_ends_of_a_diverging_map_from_zero_but_hue_tells_the_sign():
+def test_the_hue_of_a_diverging_map_tells_the_sign():
     low, high = DIVERGING.table[20].astype(int), DIVERGING.table[-21].astype(int)
     assert low[2] > low[0] and high[0] > high[2]
 

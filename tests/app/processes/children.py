@@ -1,8 +1,6 @@
 """Functions that the tests run in real child processes."""
 
 import os
-import subprocess
-import sys
 import time
 
 
@@ -36,10 +34,3 @@ def sleep_without_reading(connection):
     """Never look at the pipe."""
     connection.send(os.getpid())
     time.sleep(600)
-
-
-def with_a_child(connection):
-    """Have a child of its own."""
-    child = subprocess.Popen([sys.executable, "-c", "input()"], stdin=subprocess.PIPE)
-    connection.send(child.pid)
-    connection.recv()

@@ -122,12 +122,6 @@ def test_close_ends_even_a_deaf_child(supervise):
     assert not child.is_running()
 
 
-def test_a_child_may_have_children(supervise):
-    process = supervise("with_a_child")
-    grandchild = wait_for(process.receive)[0]
-    os.kill(grandchild, signal.SIGKILL)
-
-
 def test_a_child_dies_with_a_killed_parent():
     program = (
         "import sys, time\n"

@@ -76,6 +76,7 @@ def test_a_question_that_crosses_a_load_does_not_end_the_fields(link, make_rest,
     link.update(make_rest(2), {Q_MAP})  # asks before the second one is known to be loaded
     until(link, lambda _: has_q_map(link, second), make_rest(2), {Q_MAP})
     until(link, lambda _: link.snapshot.scene_version == 3, make_rest(3), {Q_MAP})
+    assert has_q_map(link, second)
 
 
 def test_fields_are_never_shown_under_the_name_of_another_policy(link, make_rest, twins):

@@ -2,6 +2,7 @@ import numpy as np
 from gymnasium import spaces
 
 from singulate.agents.dqn.replay import SymmetricReplayBuffer
+from singulate.agents.dqn.symmetry import NUM_SYMMETRIES, action_table, transform_images
 
 SPACE = spaces.Box(-1.0, 91.0, (64, 64), np.float32)
 
@@ -32,7 +33,19 @@ def test_without_symmetries_pushes_come_back_as_they_were() -> None:
     assert np.array_equal(batch.observations, buffer.observations[rows, 0])
 
 
-def test_symmetries_move_image_and_action_but_not_reward() -> None:
-    batch = _filled(True).sample(64)
-    assert (batch.actions[:, 0] != batch.rewards[:, 0].long()).any()
-    assert batch.rewards.max() < 20
+def test_symmetries_move_image_and_action_alike_but_not_the_reward() -> None:
+    buffer, table = _filled(True), action_table(10)
+    batch = buffer.sample(64)
+    met = set()
+    for image, action, reward in zip(
+        batch.observations.numpy(), batch.actions[:, 0], batch.rewards[:, 0], strict=True
+    ):
+        index = int(reward)
+        (fitting,) = [
+            symmetry
+            for symmetry in range(NUM_SYMMETRIES)
+            if table[symmetry, index] == action
+            and np.array_equal(transform_images(buffer.observations[index], symmetry)[0], image)
+        ]
+        met.add(fitting)
+    assert met == set(range(NUM_SYMMETRIES))
