@@ -1,6 +1,13 @@
 """Names that the page offers; the server may not import the packages that define them."""
 
-USUAL_PUSHES = {"spatial": 2_000, "multimodal-ppo": 20_000, "dqn": 20_000, "ppo": 60_000}
+USUAL_PUSHES = {
+    "spatial": 2_000,
+    "multimodal-ppo": 20_000,
+    "fourier-ppo": 20_000,
+    "mixture-ppo": 20_000,
+    "dqn": 20_000,
+    "ppo": 60_000,
+}
 """Agents that can be trained, the fastest learner first, and their usual lengths of training."""
 
 AGENTS = tuple(USUAL_PUSHES)

@@ -12,6 +12,8 @@ CONFIGS = {
     "dqn": EnvConfig("random-2", action="grid"),
     "ppo": EnvConfig("random-2", observation="mask", action="point"),
     "multimodal-ppo": EnvConfig("random-2", action="point"),
+    "mixture-ppo": EnvConfig("random-2", action="point"),
+    "fourier-ppo": EnvConfig("random-2", observation="mask", action="point"),
 }
 
 

@@ -6,13 +6,14 @@ from typing import Any
 
 import pytest
 
+from singulate.agents.registry import AGENTS
 from singulate.exceptions import CheckpointError
 from singulate.runs import RunDirectory, RunReader, read_status
 from singulate.training.trainer import train
 from singulate.training.training_state import STATE_FILE, TENSORS_FILE
 
 
-@pytest.mark.parametrize("agent", ["dqn", "ppo", "spatial", "multimodal-ppo"])
+@pytest.mark.parametrize("agent", AGENTS)
 def test_a_run_continued_in_a_new_process_equals_one_that_never_stopped(
     agent: str, tmp_path: Path, make_config: Any
 ) -> None:

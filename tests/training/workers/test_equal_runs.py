@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from singulate.agents.registry import AGENTS
 from singulate.envs import EnvConfig
 from singulate.runs import RunDirectory, RunReader
 from singulate.training.config import TrainingConfig
@@ -23,7 +24,7 @@ from singulate.training.workers.worker_envs import WorkerEnvs
 FILES = ("weights.safetensors", TENSORS_FILE, STATE_FILE)
 
 
-@pytest.mark.parametrize("agent", ["dqn", "ppo", "spatial", "multimodal-ppo"])
+@pytest.mark.parametrize("agent", AGENTS)
 def test_neither_workers_nor_their_timing_change_a_run(
     agent: str, tmp_path: Path, make_config: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -33,7 +34,7 @@ def test_neither_workers_nor_their_timing_change_a_run(
     _assert_equal(tmp_path / "here", tmp_path / "there", 64)
 
 
-@pytest.mark.parametrize("agent", ["dqn", "ppo", "spatial", "multimodal-ppo"])
+@pytest.mark.parametrize("agent", AGENTS)
 def test_a_continued_run_equals_one_that_never_stopped(
     agent: str, tmp_path: Path, make_config: Any
 ) -> None:
