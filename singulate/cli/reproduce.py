@@ -27,14 +27,17 @@ if TYPE_CHECKING:
 
 def add_parser(subparsers: "Subparsers") -> None:
     """Add the command to a parser."""
-    text = "the paper's figures, and a verdict on each of its claims"
+    text = "the paper's figures, and a verdict on each of its claims and ideas"
     parser = subparsers.add_parser(
         "reproduce",
         help=text,
         description=f"{text}; run it again to go on where it was interrupted",
     )
     parser.add_argument(
-        "figures", nargs="*", metavar="fig1 ... fig6 | all", help="(all, which judges the claims)"
+        "figures",
+        nargs="*",
+        metavar="fig1 ... fig6 | ideas | all",
+        help="(all, which judges the claims)",
     )
     parser.add_argument("--seeds", metavar="0,1|0-4", help="of the trainings (0-2)")
     parser.add_argument(

@@ -45,7 +45,7 @@ def test_what_is_not_trained_is_neither_drawn_nor_judged(
 ) -> None:
     assert reproduce(tmp_path, "all", *QUICK, "--no-training") == 0
     made = json.loads(capsys.readouterr().out)
-    assert made["unfinished"] == ["fig3", "fig4", "fig5", "fig6"]
+    assert made["unfinished"] == ["fig3", "fig4", "fig5", "fig6", "ideas"]
     assert set(made["claims"].values()) == {"not measured"}
     page = (tmp_path / "figures" / "claims.md").read_text()
     assert "none yet" in page
@@ -58,7 +58,9 @@ def test_everything_quickly(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     assert reproduce(tmp_path, "--quick") == 0
     assert "not measured" in capsys.readouterr().out
     names = {path.name for path in (tmp_path / "figures").iterdir()}
-    assert names >= {f"fig{i}.png" for i in range(1, 7)} | {"claims.md", "training.json"}
+    assert names >= {f"fig{i}.png" for i in range(1, 7)} | {
+        "claims.md", "training.json", "ideas.png", "ideas.json", "ideas.md",
+    }  # fmt: skip
 
 
 @pytest.mark.parametrize(

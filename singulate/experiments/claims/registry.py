@@ -6,6 +6,8 @@ from singulate.experiments.claims import (
     action,
     dqn_random,
     dqn_values,
+    fourier,
+    mixture,
     ppo_fixed,
     ppo_random,
     pretraining,
@@ -35,6 +37,11 @@ CLAIMS: tuple[Callable[[Evidence], Claim], ...] = tuple(
     )
 )
 
+IDEAS: tuple[Callable[[Evidence], Claim], ...] = tuple(
+    module.judge for module in (mixture, fourier)
+)
+"""What the paper proposes for future work (section 6); judged with the figure ``ideas``."""
+
 VARIANTS = ("ppo-fixed-2", "ppo-random-2", "dqn-fixed-2-separation", "dqn-random-2", "dqn-random-3")
 """Trainings that claims need beyond those of the figures."""
 
@@ -45,3 +52,8 @@ CEILING_SCENARIOS = ("random-2", "random-3")
 def judge_all(evidence: Evidence) -> list[Claim]:
     """Every claim."""
     return [judge(evidence) for judge in CLAIMS]
+
+
+def judge_ideas(evidence: Evidence) -> list[Claim]:
+    """Every idea."""
+    return [judge(evidence) for judge in IDEAS]
