@@ -3,6 +3,8 @@
 USUAL_PUSHES = {
     "spatial": 2_000,
     "multimodal-ppo": 20_000,
+    "fourier-ppo": 20_000,
+    "mixture-ppo": 20_000,
     "dqn": 20_000,
     "sac": 20_000,
     "td3": 20_000,

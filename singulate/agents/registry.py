@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 from singulate.agents.config_fields import config_from_dict
 from singulate.agents.dqn.config import DQNConfig
+from singulate.agents.fourier_ppo.config import FourierPPOConfig
+from singulate.agents.mixture_ppo.config import MixturePPOConfig
 from singulate.agents.multimodal_ppo.config import MultimodalPPOConfig
 from singulate.agents.policy import Policy
 from singulate.agents.ppo.config import PPOConfig
@@ -28,7 +30,15 @@ if TYPE_CHECKING:
     from singulate.envs import EnvConfig
 
 AgentConfig = (
-    DQNConfig | PPOConfig | SpatialConfig | MultimodalPPOConfig | TRPOConfig | SACConfig | TD3Config
+    DQNConfig
+    | PPOConfig
+    | SpatialConfig
+    | MultimodalPPOConfig
+    | MixturePPOConfig
+    | FourierPPOConfig
+    | TRPOConfig
+    | SACConfig
+    | TD3Config
 )
 
 
@@ -82,6 +92,12 @@ AGENTS: dict[str, AgentKind] = {
     "spatial": AgentKind("spatial", SpatialConfig, ("point",), "singulate.agents.spatial"),
     "multimodal-ppo": AgentKind(
         "multimodal-ppo", MultimodalPPOConfig, ("point",), "singulate.agents.multimodal_ppo"
+    ),
+    "mixture-ppo": AgentKind(
+        "mixture-ppo", MixturePPOConfig, ("point",), "singulate.agents.mixture_ppo"
+    ),
+    "fourier-ppo": AgentKind(
+        "fourier-ppo", FourierPPOConfig, ("point",), "singulate.agents.fourier_ppo"
     ),
     "trpo": AgentKind("trpo", TRPOConfig, ("point", "start_end"), "singulate.agents.trpo"),
     "sac": AgentKind("sac", SACConfig, ("point", "start_end"), "singulate.agents.sac"),

@@ -16,7 +16,14 @@ RATES = (0.95, 0.99)
 SCENARIO = "random-2"
 PAPERS_AGENT = "dqn"
 """The agent of the paper that learns random scenes (section 5.4)."""
-MAX_PUSHES = {"spatial": 3_000, "multimodal-ppo": 24_000, "dqn": 20_000, "ppo": 20_000}
+MAX_PUSHES = {
+    "spatial": 3_000,
+    "multimodal-ppo": 24_000,
+    "fourier-ppo": 24_000,
+    "mixture-ppo": 24_000,
+    "dqn": 20_000,
+    "ppo": 20_000,
+}
 """Agents in the order of the table, and when each is given up."""
 
 

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 def add_parser(subparsers: "Subparsers") -> None:
     """Add the command to a parser."""
-    text = "the paper's figures, and a verdict on each of its claims"
+    text = "the paper's figures, and a verdict on each of its claims and ideas"
     parser = subparsers.add_parser(
         "reproduce",
         help=text,
@@ -35,7 +35,7 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser.add_argument(
         "figures",
         nargs="*",
-        metavar="fig1 ... fig6 | autoencoder | all",
+        metavar="fig1 ... fig6 | autoencoder | ideas | all",
         help="(all, which judges the claims)",
     )
     parser.add_argument("--seeds", metavar="0,1|0-4", help="of the trainings (0-2)")

@@ -84,7 +84,7 @@ def reproduce(
             made.unfinished.append(figure.name)
             continue
         evidence_of_figures[figure.name] = data
-        _write_figure(figure, data, out, made)
+        _write_figure(figure, data, sources.plan, out, made)
     if with_claims:
         if with_training:
             _train(CLAIMS, VARIANTS, sources, made, on_progress)
@@ -158,10 +158,15 @@ def _ceiling(
     return {**about, **ceiling.to_dict()}
 
 
-def _write_figure(figure: PaperFigure, data: Data, out: Path, made: Reproduction) -> None:
+def _write_figure(
+    figure: PaperFigure, data: Data, plan: Plan, out: Path, made: Reproduction
+) -> None:
     _write_json(out / f"{figure.name}.json", data, made)
     save_figure(figure.draw(data), out / f"{figure.name}.png")
     made.written.append(out / f"{figure.name}.png")
+    if figure.page is not None:
+        replace_file(out / f"{figure.name}.md", figure.page(data, plan).encode())
+        made.written.append(out / f"{figure.name}.md")
 
 
 def _write_json(path: Path, data: Any, made: Reproduction) -> None:

@@ -75,6 +75,14 @@ def test_settings_survive_json_like_values(name: str) -> None:
         ("td3", "policy_delay", 0),
         ("td3", "exploration_noise", -0.1),
         ("td3", "buffer_size", 1.5),
+        ("mixture-ppo", "num_components", 0),
+        ("mixture-ppo", "num_components", 65),
+        ("mixture-ppo", "num_components", 2.0),
+        ("mixture-ppo", "clip_range", 0.0),
+        ("fourier-ppo", "num_frequencies", 1),
+        ("fourier-ppo", "num_frequencies", 33),
+        ("fourier-ppo", "num_cells", 48),
+        ("fourier-ppo", "num_cells", True),
         ("spatial", "net_arch", [8, 8, 8]),
         ("spatial", "learning_starts", 0),
         ("spatial", "average_decay", 1.5),
@@ -84,6 +92,11 @@ def test_settings_survive_json_like_values(name: str) -> None:
 def test_bad_settings_name_the_key(name: str, key: str, value: object) -> None:
     with pytest.raises(InvalidValueError, match=key):
         agent_kind(name).make_config({key: value})
+
+
+def test_a_series_has_no_more_cosines_than_its_grid_has_cells() -> None:
+    with pytest.raises(InvalidValueError, match="num_frequencies"):
+        agent_kind("fourier-ppo").make_config({"num_frequencies": 20, "num_cells": 16})
 
 
 def test_unknown_agent_lists_the_known_ones() -> None:

@@ -9,7 +9,10 @@ from singulate.exceptions import InvalidValueError
 from singulate.geometry import Direction, Push
 
 CONFIGS = {name: EnvConfig("random-2", action=kind.actions[0]) for name, kind in AGENTS.items()}
-CONFIGS |= {n: EnvConfig("random-2", observation="mask", action="point") for n in ("ppo", "td3")}
+CONFIGS |= {
+    name: EnvConfig("random-2", observation="mask", action="point")
+    for name in ("ppo", "td3", "fourier-ppo")
+}
 
 
 def _policy(name: str, **settings: object) -> Policy:

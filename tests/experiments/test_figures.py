@@ -71,6 +71,7 @@ def example(name: str) -> Data:
             ]
             * 6,
         },
+        "ideas": {"runs": by_variant},
     }[name]
 
 
@@ -91,6 +92,8 @@ def test_trainings_are_those_that_the_paper_compares() -> None:
     ours = VARIANTS["ppo-fixed-2"].env
     assert (ours.observation, ours.action, ours.reward) == ("distance_map", "point", "paper")
     assert VARIANTS["ppo-fixed-2-mask"].env == EnvConfig("fixed-2", observation="mask")
+    same_network = VARIANTS["mixture-ppo-1-random-2"].cells(Plan())[0].training
+    assert same_network.agent_config["num_components"] == 1
     known = {variant for figure in FIGURES.values() for variant in figure.variants}
     assert known <= set(VARIANTS)
     table_1 = VARIANTS["ppo-fixed-2"].cells(Plan())[0].training.agent_config

@@ -45,7 +45,7 @@ def test_what_is_not_trained_is_neither_drawn_nor_judged(
 ) -> None:
     assert reproduce(tmp_path, "all", *QUICK, "--no-training") == 0
     made = json.loads(capsys.readouterr().out)
-    assert made["unfinished"] == ["fig3", "fig4", "fig5", "fig6", "autoencoder"]
+    assert made["unfinished"] == ["fig3", "fig4", "fig5", "fig6", "autoencoder", "ideas"]
     assert set(made["claims"].values()) == {"not measured"}
     page = (tmp_path / "figures" / "claims.md").read_text()
     assert "none yet" in page
@@ -61,6 +61,9 @@ def test_everything_quickly(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     assert names >= {f"fig{i}.png" for i in range(1, 7)} | {
         "autoencoder.png",
         "claims.md",
+        "ideas.json",
+        "ideas.md",
+        "ideas.png",
         "training.json",
     }
 

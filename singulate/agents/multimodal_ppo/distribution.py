@@ -1,17 +1,19 @@
 """The distribution of pushes: p(cell, direction), then p(offset | cell, direction)."""
 
 import math
-from typing import Any, Self
+from typing import Self
 
+import numpy as np
+import numpy.typing as npt
 import torch
-from stable_baselines3.common.distributions import Distribution
 
-from singulate.agents.multimodal_ppo.cells import PushCells
+from singulate.agents.density_ppo.cells import PushCells
+from singulate.agents.density_ppo.distribution import PointDistribution, draw_index
+from singulate.agents.density_ppo.turning import sizes_to_table, vectors_to_table
 from singulate.agents.multimodal_ppo.truncated_normal import TruncatedNormal
-from singulate.agents.multimodal_ppo.turning import sizes_to_table, vectors_to_table
 
 
-class PushDistribution(Distribution):
+class PushDistribution(PointDistribution):
     """Densities of pushes over (x / l, y / l, direction), exact.
 
     Every push belongs to one cell and one direction, so its density is p(cell, direction) times
@@ -25,13 +27,17 @@ class PushDistribution(Distribution):
         cells: The grid of cells.
     """
 
+    num_uniforms = 3
+    """For the choice, and for the offset along x and y."""
+
     def __init__(self, cells: PushCells) -> None:
-        super().__init__()  # type: ignore[no-untyped-call]
+        super().__init__()
         self.cells = cells
 
-    def proba_distribution_net(self, *args: Any, **kwargs: Any) -> torch.nn.Module:
-        """None of its own: the parameters come as maps from a convolutional network."""
-        raise NotImplementedError
+    @property
+    def batch_size(self) -> int:
+        """Scenes in the batch."""
+        return len(self.log_probs)
 
     def proba_distribution(
         self, logits: torch.Tensor, location: torch.Tensor, scale: torch.Tensor
@@ -61,20 +67,9 @@ class PushDistribution(Distribution):
         each = within + 2 * math.log(self.cells.half_cell) - self.log_probs
         return (self.log_probs.exp() * each).sum(dim=-1)
 
-    def sample(self) -> torch.Tensor:
-        """Drawn actions, (batch, 3)."""
-        return self.action_at(torch.rand((len(self.log_probs), 3)))
-
     def action_at(self, uniform: torch.Tensor) -> torch.Tensor:
-        """Actions, (batch, 3), that follow the distribution if `uniform` is uniform on [0, 1)^3.
-
-        Args:
-            uniform: (batch, 3): for the choice, and for the offset along x and y.
-        """
-        cumulative = self.log_probs.exp().cumsum(dim=1)
-        drawn = uniform[:, :1] * cumulative[:, -1:]
-        choice = torch.searchsorted(cumulative, drawn, right=True)[:, 0]
-        choice = choice.clamp(max=cumulative.shape[1] - 1)
+        """See `PointDistribution.action_at`."""
+        choice = draw_index(self.log_probs, uniform[:, 0])
         return self.cells.to_action(choice, self.offsets(choice).quantile(uniform[:, 1:]))
 
     def mode(self) -> torch.Tensor:
@@ -96,11 +91,20 @@ class PushDistribution(Distribution):
             sizes_to_table(self._scale[row, :, choice], direction),
         )
 
-    def actions_from_params(self, *args: Any, **kwargs: Any) -> torch.Tensor:
-        """Drawn actions for parameters, as `proba_distribution` takes them."""
-        return self.proba_distribution(*args, **kwargs).sample()
+    def start_density(self, image_size: int) -> npt.NDArray[np.float32]:
+        """See `PointDistribution.start_density`; `image_size` is a multiple of the cells."""
+        cells, choices = self.cells.num_cells, torch.arange(self.log_probs.shape[1])
+        pixels = image_size // cells
+        masses = self._pixel_masses(choices, pixels)
+        within = masses[:, 1].flip(1).unsqueeze(2) * masses[:, 0].unsqueeze(1)
+        by_choice = self.log_probs[0].exp()[:, None, None] * within
+        by_cell = by_choice.view(-1, cells, cells, pixels, pixels).sum(dim=0)
+        density = by_cell.permute(0, 2, 1, 3).reshape(image_size, image_size)
+        return density.numpy().astype(np.float32)
 
-    def log_prob_from_params(self, *args: Any, **kwargs: Any) -> tuple[torch.Tensor, torch.Tensor]:
-        """Drawn actions for parameters, and their log-densities."""
-        actions = self.actions_from_params(*args, **kwargs)
-        return actions, self.log_prob(actions)
+    def _pixel_masses(self, choices: torch.Tensor, pixels: int) -> torch.Tensor:
+        """Mass of each choice's offset in each pixel of its cell, along x and y: (N, 2, pixels)."""
+        offsets = self.offsets(choices, row=torch.zeros_like(choices))
+        edges = torch.linspace(-1.0, 1.0, pixels + 1)
+        below = torch.stack([offsets.cumulative(edge) for edge in edges], dim=-1)
+        return below.diff(dim=-1)

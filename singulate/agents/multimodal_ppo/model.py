@@ -1,48 +1,19 @@
-"""The multimodal PPO that is trained: stable-baselines3's, with another actor and schedules."""
+"""The multimodal PPO that is trained."""
 
-from typing import Any
+from functools import partial
 
-import torch
-from stable_baselines3 import PPO
-from stable_baselines3.common.utils import update_learning_rate
 from stable_baselines3.common.vec_env import VecEnv
 
-from singulate.agents.multimodal_ppo.actor_critic import PushActorCritic
+from singulate.agents.density_ppo.model import DensityPPO, build_density_ppo, network_of
 from singulate.agents.multimodal_ppo.config import MultimodalPPOConfig
+from singulate.agents.multimodal_ppo.network import PushNet
 
-
-class MultimodalPPO(PPO):
-    """PPO whose step size and entropy bonus depend on the number of pushes alone.
-
-    stable-baselines3 ties schedules to the share of the training that is done, so extending a run
-    would change its past.
-    """
-
-    def __init__(self, *args: Any, config: MultimodalPPOConfig, **kwargs: Any) -> None:
-        super().__init__(*args, **kwargs)
-        self.config = config
-
-    def train(self) -> None:
-        """Update actor and critic on the pushes of one rollout."""
-        self.ent_coef = self._annealed(self.config.ent_coef, self.config.final_ent_coef)
-        super().train()
-
-    def _update_learning_rate(
-        self, optimizers: list[torch.optim.Optimizer] | torch.optim.Optimizer
-    ) -> None:
-        rate = self._annealed(self.config.learning_rate, self.config.final_learning_rate)
-        self.logger.record("train/learning_rate", rate)
-        for optimizer in optimizers if isinstance(optimizers, list) else [optimizers]:
-            update_learning_rate(optimizer, rate)
-
-    def _annealed(self, start: float, end: float) -> float:
-        done = min(self.num_timesteps / self.config.anneal_steps, 1.0)
-        return start + done * (end - start)
+__all__ = ["build_model", "net_maker", "network_of"]
 
 
 def build_model(
     config: MultimodalPPOConfig, env: VecEnv, observation: str, seed: int
-) -> MultimodalPPO:
+) -> DensityPPO:
     """Build an untrained model.
 
     Args:
@@ -51,35 +22,9 @@ def build_model(
         observation: Name of its observation.
         seed: Seeds the network and all random choices.
     """
-    return MultimodalPPO(
-        PushActorCritic,
-        env,
-        config=config,
-        learning_rate=config.learning_rate,
-        n_steps=config.n_steps // env.num_envs,
-        batch_size=config.batch_size,
-        n_epochs=config.n_epochs,
-        gamma=config.gamma,
-        gae_lambda=config.gae_lambda,
-        clip_range=config.clip_range,
-        vf_coef=config.vf_coef,
-        max_grad_norm=config.max_grad_norm,
-        policy_kwargs=network_arguments(config, observation),
-        seed=seed,
-        device="cpu",
-    )
+    return build_density_ppo(config, env, net_maker(config), seed)
 
 
-def network_arguments(config: MultimodalPPOConfig, observation: str) -> dict[str, Any]:
-    """Arguments of the actor and critic."""
-    return {
-        "num_cells": config.num_cells,
-        "widths": config.net_arch,
-        "normalize_images": False,
-        "optimizer_kwargs": {"eps": 1e-5, "fused": True},
-    }
-
-
-def network_of(model: MultimodalPPO) -> torch.nn.Module:
-    """The part of a model that acting needs: actor and critic."""
-    return model.policy
+def net_maker(config: MultimodalPPOConfig) -> partial[PushNet]:
+    """Builds its network from H."""
+    return partial(PushNet, num_cells=config.num_cells, widths=config.net_arch)

@@ -7,6 +7,8 @@ from singulate.experiments.claims import (
     autoencoder,
     dqn_random,
     dqn_values,
+    fourier,
+    mixture,
     ppo_fixed,
     ppo_random,
     pretraining,
@@ -37,6 +39,11 @@ CLAIMS: tuple[Callable[[Evidence], Claim], ...] = tuple(
     )
 )
 
+IDEAS: tuple[Callable[[Evidence], Claim], ...] = tuple(
+    module.judge for module in (mixture, fourier)
+)
+"""What the paper proposes for future work (section 6); judged with the figure ``ideas``."""
+
 VARIANTS = (
     "ppo-fixed-2",
     "ppo-random-2",
@@ -54,3 +61,8 @@ CEILING_SCENARIOS = ("random-2", "random-3")
 def judge_all(evidence: Evidence) -> list[Claim]:
     """Every claim."""
     return [judge(evidence) for judge in CLAIMS]
+
+
+def judge_ideas(evidence: Evidence) -> list[Claim]:
+    """Every idea."""
+    return [judge(evidence) for judge in IDEAS]

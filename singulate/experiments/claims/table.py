@@ -31,9 +31,9 @@ def write_claims(directory: Path, claims: Sequence[Claim], evidence: Evidence, p
     replace_file(directory / "claims.md", claims_page(claims, evidence, plan).encode())
 
 
-def claims_page(claims: Sequence[Claim], evidence: Evidence, plan: Plan) -> str:
+def claims_page(claims: Sequence[Claim], evidence: Evidence, plan: Plan, head: str = HEAD) -> str:
     """The page: a table of verdicts, how each was measured, and which trainings there are."""
-    lines = [HEAD, "| claim | in the paper | here | our numbers |", "|---|---|---|---|"]
+    lines = [head, "| claim | in the paper | here | our numbers |", "|---|---|---|---|"]
     for claim in claims:
         numbers = "<br>".join(each.text for each in claim.numbers) or claim.reason
         lines.append(f"| {claim.statement} | {claim.source} | **{claim.verdict}** | {numbers} |")

@@ -43,6 +43,7 @@ class PaperFigure:
         variants: Trainings that it needs, keys of `VARIANTS`.
         measure: Its numbers; None where a training that it cannot do without is not finished.
         draw: The picture of these numbers.
+        page: What else to write, in Markdown, beside the picture; None for nothing.
     """
 
     name: str
@@ -50,3 +51,4 @@ class PaperFigure:
     variants: tuple[str, ...]
     measure: Callable[[Sources], Data | None]
     draw: Callable[[Data], "Figure"]
+    page: Callable[[Data, Plan], str] | None = None

@@ -1,12 +1,12 @@
 """The figures by name; to add one: a file in this folder and one line here."""
 
 from singulate.exceptions import InvalidValueError
-from singulate.experiments.figures import autoencoder, fig1, fig2, fig3, fig4, fig5, fig6
+from singulate.experiments.figures import autoencoder, fig1, fig2, fig3, fig4, fig5, fig6, ideas
 from singulate.experiments.figures.paper_figure import PaperFigure
 
 FIGURES: dict[str, PaperFigure] = {
     module.FIGURE.name: module.FIGURE
-    for module in (fig1, fig2, fig3, fig4, fig5, fig6, autoencoder)
+    for module in (fig1, fig2, fig3, fig4, fig5, fig6, autoencoder, ideas)
 }
 
 

@@ -17,12 +17,18 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure, FigureBase
 
-BLUE, ORANGE, GREEN, GREY = "#0072B2", "#D55E00", "#009E73", "#666666"
+BLUE, ORANGE, GREEN, PINK, GREY = "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#666666"
 MAP_COLOURS = "viridis"
 WIDTH_INCHES = 7.0
 DOTS_PER_INCH = 200
 SMALL, NORMAL = 8, 9
-_LINES = {BLUE: "-", ORANGE: (0, (5, 1.5)), GREEN: (0, (1.5, 1.2))}
+_LINES = {
+    BLUE: "-",
+    ORANGE: (0, (5, 1.5)),
+    GREEN: (0, (1.5, 1.2)),
+    PINK: (0, (5, 1.2, 1.2, 1.2)),
+    GREY: (0, (5, 1.2, 1.2, 1.2, 1.2, 1.2)),
+}
 """Lines also differ in their dashes, for prints without colour."""
 
 

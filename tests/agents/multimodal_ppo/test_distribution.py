@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import torch
 
-from singulate.agents.multimodal_ppo.cells import PushCells
+from singulate.agents.density_ppo.cells import PushCells
 from singulate.agents.multimodal_ppo.distribution import PushDistribution
 
 NUM_CELLS = 4

@@ -1,8 +1,6 @@
 import torch
 
-from singulate.agents.multimodal_ppo.cells import PushCells
-from singulate.agents.multimodal_ppo.distribution import PushDistribution
-from singulate.agents.multimodal_ppo.network import HIGH_SCALE, LOW_SCALE, PushMaps, PushNet
+from singulate.agents.multimodal_ppo.network import HIGH_SCALE, LOW_SCALE, PushNet
 
 
 def _net() -> PushNet:
@@ -11,12 +9,6 @@ def _net() -> PushNet:
     for parameter in net.parameters():  # far from the careful initialisation
         torch.nn.init.normal_(parameter, std=0.3)
     return net.eval()
-
-
-def _distribution(maps: PushMaps) -> PushDistribution:
-    return PushDistribution(PushCells(16)).proba_distribution(
-        maps.logits, maps.location, maps.scale
-    )
 
 
 def test_shapes_and_bounds() -> None:
@@ -38,8 +30,8 @@ def test_turning_the_table_turns_the_policy() -> None:
     with torch.no_grad():
         straight = net(observation.expand(500, -1, -1))
         turned = net(torch.rot90(observation, 1, (1, 2)).expand(500, -1, -1))
-    before = _distribution(straight).log_prob(actions)
-    after = _distribution(turned).log_prob(turned_actions)
+    before = straight.distribution().log_prob(actions)
+    after = turned.distribution().log_prob(turned_actions)
     assert torch.allclose(before, after, atol=1e-3)
     assert before.std() > 0.1
     assert torch.allclose(straight.values, turned.values, atol=1e-4)
@@ -48,6 +40,6 @@ def test_turning_the_table_turns_the_policy() -> None:
 def test_an_untrained_policy_prefers_no_choice() -> None:
     torch.manual_seed(0)
     maps = PushNet(64, 16, (16, 16, 16))(torch.rand(2, 64, 64) * 60)
-    entropy = _distribution(maps).entropy()
+    entropy = maps.distribution().entropy()
     assert (entropy > 2.0).all()  # the largest is log 16 = 2.77
     assert (maps.logits.std(dim=1) < 0.1).all()

@@ -1,7 +1,7 @@
 import pytest
 import torch
 
-from singulate.agents.multimodal_ppo.cells import PushCells
+from singulate.agents.density_ppo.cells import PushCells
 from singulate.envs import PointActions
 from singulate.geometry import Direction, Workspace
 

@@ -1,7 +1,7 @@
 import pytest
 import torch
 
-from singulate.agents.multimodal_ppo.turning import (
+from singulate.agents.density_ppo.turning import (
     sizes_to_table,
     turn_back,
     turn_images,

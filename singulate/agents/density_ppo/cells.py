@@ -2,7 +2,7 @@
 
 import torch
 
-from singulate.agents.multimodal_ppo.turning import NUM_DIRECTIONS
+from singulate.agents.density_ppo.turning import NUM_DIRECTIONS
 
 EDGE = 1e-4
 """Drawn starts keep this part of half a cell off its border, so that rounding to float32 cannot
