@@ -8,8 +8,8 @@ import numpy.typing as npt
 import torch
 
 from singulate.agents.density_ppo.distribution import PointDistribution, draw_index
+from singulate.agents.gaussian.density import gaussian_start_density
 from singulate.agents.mixture_ppo.entropy import entropy_lower_bound
-from singulate.agents.ppo.density import gaussian_start_density
 
 _HALF_LOG_2_PI = 0.5 * math.log(2.0 * math.pi)
 _SQRT_2 = math.sqrt(2.0)
