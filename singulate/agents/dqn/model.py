@@ -5,20 +5,16 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 import torch
-from gymnasium import spaces
 from stable_baselines3 import DQN
 from stable_baselines3.common.noise import ActionNoise
 from stable_baselines3.common.vec_env import VecEnv
 
 from singulate.agents.dqn.config import DQNConfig
+from singulate.agents.dqn.exploration import GridExploration
 from singulate.agents.dqn.replay import SymmetricReplayBuffer
 from singulate.agents.dqn.update import gradient_step
 from singulate.agents.network import policy_arguments
 from singulate.agents.overlap import OverlappedSteps, OverlappedUpdates
-from singulate.agents.spatial.exploration import aimed_push
-from singulate.agents.spatial.replay import as_distance_maps
-from singulate.envs import GridActions
-from singulate.geometry import Workspace
 
 
 class GridDQN(OverlappedUpdates, DQN):
@@ -31,7 +27,13 @@ class GridDQN(OverlappedUpdates, DQN):
     and their result: a push is chosen by the network of one update before, and the update after
     the last push of a training is left to whoever continues it.
 
+    Args:
+        exploration_steps: Pushes over which the exploration rate falls.
+        exploration_aimed: Share of the explored pushes that are aimed at objects.
+        observation: Name of the observation.
+
     Attributes:
+        exploration: Chooses what is tried.
         predicted_values: Expected (scaled) reward of the pushes chosen last, float32 (num_envs,).
     """
 
@@ -45,19 +47,16 @@ class GridDQN(OverlappedUpdates, DQN):
     ) -> None:
         super().__init__(*args, **kwargs)
         self.exploration_steps = exploration_steps
-        self.exploration_aimed = exploration_aimed
         self.exploration_rate = 1.0
-        self._observation = observation
-        self._workspace = Workspace()
-        self._encoding = GridActions(self._workspace)
-        self.exploration_rng = np.random.default_rng(self.seed)
+        rng = np.random.default_rng(self.seed)
+        self.exploration = GridExploration(rng, observation, exploration_aimed)
         self.predicted_values: npt.NDArray[np.float32] = np.zeros(self.n_envs, np.float32)
 
     @property
     def generators(self) -> dict[str, np.random.Generator]:
         """Every generator of its own that training draws from, by name."""
         assert isinstance(self.replay_buffer, SymmetricReplayBuffer)
-        return {"exploration": self.exploration_rng, "replay": self.replay_buffer.rng}
+        return {"exploration": self.exploration.rng, "replay": self.replay_buffer.rng}
 
     def update(self, gradient_steps: int) -> None:
         """Improve the network by so many gradient steps; `DQN.train`, but faster."""
@@ -78,25 +77,12 @@ class GridDQN(OverlappedUpdates, DQN):
         self, learning_starts: int, action_noise: ActionNoise | None = None, n_envs: int = 1
     ) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.int64]]:
         assert isinstance(self._last_obs, np.ndarray)
-        assert isinstance(self.action_space, spaces.Discrete)
         with torch.no_grad():
             values = self.q_net(torch.as_tensor(self._last_obs)).numpy()
         rate = 1.0 if self.num_timesteps < learning_starts else self.exploration_rate
-        is_random = self.exploration_rng.random(n_envs) < rate
-        random_actions = self.exploration_rng.integers(self.action_space.n, size=n_envs)
-        if self.exploration_aimed > 0.0:
-            self._aim(random_actions, is_random)
-        actions = np.where(is_random, random_actions, values.argmax(axis=1))
+        actions = self.exploration.choose(values.argmax(axis=1), self._last_obs, rate)
         self.predicted_values = values[np.arange(n_envs), actions]
         return actions, actions
-
-    def _aim(self, actions: npt.NDArray[np.int64], is_random: npt.NDArray[np.bool_]) -> None:
-        """Let its share of the explored pushes head for objects, in place."""
-        is_aimed = is_random & (self.exploration_rng.random(len(actions)) < self.exploration_aimed)
-        for index in np.flatnonzero(is_aimed):
-            image = as_distance_maps(self._last_obs[[index]], self._observation)[0]
-            push = aimed_push(image, self._workspace, self.exploration_rng)
-            actions[index] = self._encoding.encode(push)
 
 
 def build_model(config: DQNConfig, env: VecEnv, observation: str, seed: int) -> GridDQN:

@@ -67,7 +67,8 @@ def mean_of_copies(values: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
         float32 (4 * num_cells ** 2,), for the scene as it is.
     """
     table = _cached_action_table(math.isqrt(values.shape[1] // 4))
-    return np.take_along_axis(values, table, axis=1).mean(axis=0)
+    mean: npt.NDArray[np.float32] = np.take_along_axis(values, table, axis=1).mean(axis=0)
+    return mean
 
 
 _cached_action_table = functools.cache(action_table)
