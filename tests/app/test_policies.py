@@ -31,6 +31,17 @@ def load(bench, directory):
     return bench.until(lambda s: s.policy is not None and s.policy.source == str(directory)).policy
 
 
+def predicted_report(bench, push):
+    """The report of a push; on a busy machine, its prediction comes after it."""
+    return bench.until(
+        lambda s: (
+            s.scene.last_push is not None
+            and s.scene.last_push.push == push
+            and s.scene.last_push.predicted is not None
+        )
+    ).scene.last_push
+
+
 def test_policies_are_listed_by_the_label_they_have_once_loaded(bench, untrained):
     bench.until(lambda s: len(s.policies) == 3)
     listed = dict(bench.snapshot.policies)
@@ -82,9 +93,7 @@ def test_a_spatial_agent_predicts_a_push_from_its_very_start(bench, untrained):
     observation = bench.snapshot.scene.distance_map
     push = Push.cardinal((-0.527, 0.313), Direction.LEFT, 0.5)
     bench.do(PushNow(push))
-    report = bench.until(
-        lambda s: s.scene.last_push is not None and s.scene.last_push.push == push
-    ).scene.last_push
+    report = predicted_report(bench, push)
     expected = load_policy(untrained / "spatial-untrained").predict_value(observation, push)
     assert report.predicted == pytest.approx(expected, rel=1e-3, abs=1e-2)
 
@@ -94,9 +103,7 @@ def test_a_push_is_predicted_by_the_cell_of_the_q_map(bench, untrained):
     observation = bench.snapshot.scene.distance_map
     push = Push.cardinal((-0.52, 0.31), Direction.LEFT, 0.3)
     bench.do(PushNow(push))
-    report = bench.until(
-        lambda s: s.scene.last_push is not None and s.scene.last_push.push == push
-    ).scene.last_push
+    report = predicted_report(bench, push)
     q_map = load_policy(untrained / "dqn-untrained").q_map(observation)
     cells = q_map.shape[1]
     row, col = int((1 - 0.31) / 2 * cells), int((1 - 0.52) / 2 * cells)

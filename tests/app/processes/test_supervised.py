@@ -94,15 +94,16 @@ def test_a_child_that_no_longer_answers_is_replaced(supervise):
 
 def test_niceness_is_set(supervise):
     process = supervise("niceness", niceness=7)
-    assert wait_for(process.receive) == [os.nice(0) + 7]
+    assert wait_for(process.receive) == [min(os.nice(0) + 7, 19)]
 
 
 def test_a_flood_is_bounded(supervise):
     process = supervise("flood")
-    time.sleep(1.0)
-    received = process.receive()
-    assert 0 < len(received) <= 512
-    assert [number for number, _ in received] == list(range(len(received)))
+    received = wait_for(process.receive)
+    time.sleep(1.0)  # many times as long as the inbox takes to fill
+    more = process.receive()
+    assert 0 < len(more) <= 512
+    assert [number for number, _ in received + more] == list(range(len(received + more)))
 
 
 def test_sending_to_a_child_that_does_not_read_never_waits(supervise, pace):
