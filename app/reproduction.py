@@ -37,7 +37,7 @@ class Reproduction:
     """The figures that are there, and the claims.
 
     Attributes:
-        figures: PNG files by their numbers in the paper.
+        figures: PNG files by their numbers in the paper, and ``ideas`` for those of its section 6.
         claims: In the paper's order; none where they have not been judged.
     """
 
@@ -55,7 +55,7 @@ def read_reproduction(directory: Path | None = None) -> Reproduction:
         SingulateError: If the claims cannot be read.
     """
     directory = directory or figures_directory()
-    pictures = sorted(directory.glob("fig*.png"))
+    pictures = [*sorted(directory.glob("fig*.png")), *directory.glob("ideas.png")]
     figures = {picture.stem.removeprefix("fig"): picture for picture in pictures}
     path = directory / "claims.json"
     if not path.is_file():

@@ -50,10 +50,11 @@ class PaperPanel:
             self._context.report(f"{path} cannot be read ({error.strerror}).")
             return None
         gui = self._context.gui
-        modal = gui.add_modal(f"Figure {number}")
+        name = f"Figure {number}" if number.isdigit() else number.capitalize()
+        modal = gui.add_modal(name)
         with modal:
             source = f"data:image/png;base64,{picture}"
-            shown = gui.add_html(f'{_WIDE}<img alt="Figure {number}" src="{source}" {_STYLE}>')
+            shown = gui.add_html(f'{_WIDE}<img alt="{name}" src="{source}" {_STYLE}>')
             close = gui.add_button("Close")
         close.on_click(lambda _: modal.close())
         return shown

@@ -13,4 +13,8 @@ def judge(evidence: Evidence) -> Claim:
         'section 6, "Fourier transformation parametrizing the multimodality"',
         MEASURE,
     )
-    return judge_remedy(claim, evidence, "fourier-ppo-random-2", "XX")
+    reason = (
+        "a truncated series cannot fall off within less than half of its shortest wave, which is"
+        " wide against the strip beside the seam from where one push parts two blocks"
+    )
+    return judge_remedy(claim, evidence, "fourier-ppo-random-2", reason)

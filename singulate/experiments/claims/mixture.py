@@ -13,4 +13,8 @@ def judge(evidence: Evidence) -> Claim:
         'section 6, "a multimodal policy space"',
         MEASURE,
     )
-    return judge_remedy(claim, evidence, "mixture-ppo-random-2", "XX")
+    reason = (
+        "a component has its place, width and direction to learn from the few pushes that it draws"
+        " itself, and a draw beyond the table or in a neighbouring direction's bin is lost"
+    )
+    return judge_remedy(claim, evidence, "mixture-ppo-random-2", reason)

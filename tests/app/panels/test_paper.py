@@ -24,6 +24,7 @@ ENTRY = {
 def made(tmp_path: Path) -> Path:
     (tmp_path / "fig1.png").write_bytes(b"one")
     (tmp_path / "fig3.png").write_bytes(b"three")
+    (tmp_path / "ideas.png").write_bytes(b"ideas")
     (tmp_path / "claims.json").write_text(json.dumps({"claims": [ENTRY]}))
     return tmp_path
 
@@ -33,6 +34,7 @@ def test_figures_and_claims_are_read(made: Path) -> None:
     assert {key: path.name for key, path in found.figures.items()} == {
         "1": "fig1.png",
         "3": "fig3.png",
+        "ideas": "ideas.png",
     }
     numbers = ("map: 0.5 (0.25 to 1, 3 seeds)",)
     assert found.claims == (
@@ -61,7 +63,8 @@ def test_a_figure_opens_and_one_that_is_gone_is_reported(
 ) -> None:
     panel = PaperPanel(context, made)
     assert "Maps &lt;b&gt;win" in panel.claims.content
-    assert "dGhyZWU=" in panel.open(1).content
+    assert 'alt="Figure 3"' in panel.open(1).content and "dGhyZWU=" in panel.open(1).content
+    assert 'alt="Ideas"' in panel.open(2).content and "aWRlYXM=" in panel.open(2).content
     (made / "fig1.png").unlink()
     assert panel.open(0) is None
     assert len(reports) == 1 and "fig1.png" in reports[0]
