@@ -3,12 +3,20 @@ from dataclasses import replace
 from multiprocessing import get_context
 from pathlib import Path
 
+import numpy as np
+
 from singulate.agents.autoencoder.config import AutoencoderConfig
 from singulate.agents.loading import load_policy
 from singulate.checkpoints import read_checkpoint
+from singulate.engine import LocalEngine
 from singulate.envs import EnvConfig
 from singulate.experiments.cell import Cell, run_cell
 from singulate.experiments.cell_store import CellStore
+from singulate.experiments.figures import autoencoder
+from singulate.experiments.figures.paper_figure import Sources
+from singulate.experiments.figures.plan import Plan
+from singulate.experiments.figures.published import Published
+from singulate.experiments.figures.variants import VARIANTS
 from singulate.experiments.shared_autoencoder import ensure_autoencoder
 from singulate.runs import RunDirectory
 from singulate.training.config import TrainingConfig
@@ -30,7 +38,7 @@ def test_it_is_trained_by_one_of_those_who_need_it(tmp_path: Path) -> None:
     for process in others:
         process.start()
     for process in others:
-        process.join(120)
+        process.join()
         assert process.exitcode == 0
     before = (directory / "manifest.json").stat().st_mtime_ns
     assert ensure_autoencoder(SMALL, directory) == directory
@@ -68,3 +76,22 @@ def test_the_recipe_decides_the_key_and_no_place_does(tmp_path: Path) -> None:
     assert CellStore(tmp_path).task(plain).autoencoder_dir is None
     directory = CellStore(tmp_path).task(CELL).autoencoder_dir
     assert directory is not None and Path(directory).parent == tmp_path
+
+
+def test_the_figure_shows_unseen_scenes_and_what_is_left_of_them(tmp_path: Path) -> None:
+    plan = Plan((0,), autoencoder=SMALL)
+    cells = [cell for name in autoencoder.VARIANTS for cell in VARIANTS[name].cells(plan)]
+    summaries = {cell.key: {"seed": cell.training.seed} for cell in cells}
+    with LocalEngine(1) as engine:
+        sources = Sources(plan, CellStore(tmp_path), engine, Published(summaries))
+        data = autoencoder.measure(sources)
+        assert autoencoder.measure(replace(sources, published=Published())) is None
+    assert data is not None
+    assert data["quality"]["num_scenes"] == 1000
+    assert [scene["scenario"] for scene in data["scenes"]] == list(autoencoder.SCENARIOS)
+    for scene in data["scenes"]:
+        shown, made = (np.array(scene[key]) for key in ("map_px", "reconstruction_px"))
+        assert shown.shape == made.shape == (64, 64)
+        assert shown.min() == -1.0
+        assert not np.array_equal(shown, made)
+    assert set(data["runs"]) == set(autoencoder.VARIANTS)

@@ -69,8 +69,8 @@ def _reconstructions(config: AutoencoderConfig, sources: Sources) -> dict[str, A
 
 def draw(data: Data) -> "Figure":
     """Maps above, reconstructions below them, and the learning curves at the bottom."""
-    figure = empty_figure(5.2)
-    grid = figure.add_gridspec(2, 1, height_ratios=(1.1, 1.0))
+    figure = empty_figure(4.9)
+    grid = figure.add_gridspec(2, 1, height_ratios=(1.0, 1.0))
     upper, lower = figure.add_subfigure(grid[0]), figure.add_subfigure(grid[1])
     _draw_maps(upper, data["scenes"])
     panels = lower.subplots(1, len(PANELS), sharey=True)
