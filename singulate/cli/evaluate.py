@@ -51,7 +51,7 @@ def add_parser(subparsers: "Subparsers") -> None:
         "--sample",
         action="store_true",
         default=None,
-        help="draw pushes as in training (PPO and TRPO do anyway)",
+        help="draw pushes as in training (PPO, TRPO and SAC do anyway)",
     )
     acting.add_argument(
         "--greedy",
