@@ -102,7 +102,7 @@ def test_a_run_is_started_shown_steered_followed_killed_and_resumed(make_bench):
 @pytest.mark.parametrize(
     ("command", "word"),
     [
-        (start(agent="sac"), "agent"),
+        (start(agent="a2c"), "agent"),
         (start(scenario="random-99"), "scenario"),
         (start(steps=-5), "steps"),
         (start(steps=float("nan")), "steps"),

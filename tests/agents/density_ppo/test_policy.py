@@ -92,6 +92,7 @@ def test_a_saved_policy_pushes_as_before(
     assert np.array_equal(loaded.start_density(observation), policy.start_density(observation))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("agent", OPINION)
 def test_acting_takes_less_than_5_ms_of_one_core(
     agent: str, observation: npt.NDArray[np.float32], pace: float
