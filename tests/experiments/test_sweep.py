@@ -145,7 +145,7 @@ def test_settings_reach_their_owner_and_equal_cells_are_one() -> None:
 @pytest.mark.parametrize(
     ("options", "text"),
     [
-        (["--agents", "sac"], "agent: 'sac' is not allowed"),
+        (["--agents", "a2c"], "agent: 'a2c' is not allowed"),
         (["--agents", "dqn,"], "agents: 'dqn,' is not allowed"),
         (["--scenarios", "random-99"], "scenario: 'random-99' is not allowed"),
         (["--seeds", "4-2"], "seeds: '4-2' is not allowed"),
