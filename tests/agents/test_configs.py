@@ -48,6 +48,8 @@ def test_settings_survive_json_like_values(name: str) -> None:
         ("dqn", "net_arch", "128"),
         ("dqn", "symmetries", 1),
         ("dqn", "symmetric_values", 1),
+        ("dqn", "final_learning_rate", 1e-5),
+        ("dqn", "anneal_steps", 1000),
         ("dqn", "tau", 0.0),
         ("dqn", "tau", 1.5),
         ("dqn", "exploration_final_eps", 1.5),

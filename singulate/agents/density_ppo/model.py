@@ -5,20 +5,16 @@ from typing import Any
 
 import torch
 from stable_baselines3 import PPO
-from stable_baselines3.common.utils import update_learning_rate
 from stable_baselines3.common.vec_env import VecEnv
 
+from singulate.agents.annealing import annealed, set_learning_rate
 from singulate.agents.density_ppo.actor_critic import DensityActorCritic
 from singulate.agents.density_ppo.config import DensityPPOConfig
 from singulate.agents.density_ppo.network import TurnedNet
 
 
 class DensityPPO(PPO):
-    """PPO whose step size and entropy bonus depend on the number of pushes alone.
-
-    stable-baselines3 ties schedules to the share of the training that is done, so extending a run
-    would change its past.
-    """
+    """PPO whose step size and entropy bonus depend on the number of pushes alone."""
 
     def __init__(self, *args: Any, config: DensityPPOConfig, **kwargs: Any) -> None:
         super().__init__(*args, **kwargs)
@@ -33,13 +29,10 @@ class DensityPPO(PPO):
         self, optimizers: list[torch.optim.Optimizer] | torch.optim.Optimizer
     ) -> None:
         rate = self._annealed(self.config.learning_rate, self.config.final_learning_rate)
-        self.logger.record("train/learning_rate", rate)
-        for optimizer in optimizers if isinstance(optimizers, list) else [optimizers]:
-            update_learning_rate(optimizer, rate)
+        set_learning_rate(self, optimizers, rate)
 
     def _annealed(self, start: float, end: float) -> float:
-        done = min(self.num_timesteps / self.config.anneal_steps, 1.0)
-        return start + done * (end - start)
+        return annealed(start, end, self.num_timesteps, self.config.anneal_steps)
 
 
 def build_density_ppo(

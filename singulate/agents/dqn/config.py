@@ -10,6 +10,7 @@ from singulate.agents.config_fields import (
 )
 from singulate.agents.encoder_setting import check_encoder
 from singulate.agents.net_arch import PAPER_NET_ARCH, check_net_arch
+from singulate.exceptions import InvalidValueError
 
 
 @dataclass(frozen=True)
@@ -17,7 +18,10 @@ class DQNConfig:
     """The paper gives the network (section 3.3) and the learning rate; the rest is ours.
 
     Attributes:
-        learning_rate: Step size of Adam (Table 1).
+        learning_rate: Step size of Adam (Table 1), at the start.
+        final_learning_rate: Step size after `anneal_steps` pushes, reached linearly; None to keep
+            it as it is.
+        anneal_steps: Pushes over which the step size falls; given with `final_learning_rate`.
         net_arch: Widths of the fully connected layers, ReLU after each (section 3.3).
         buffer_size: Pushes that are remembered; each takes 32 KiB of memory.
         learning_starts: Random pushes before the first update.
@@ -59,6 +63,8 @@ class DQNConfig:
     symmetries: bool = True
     symmetric_values: bool = False
     encoder: str | None = None
+    final_learning_rate: float | None = None
+    anneal_steps: int | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "net_arch", check_net_arch("net_arch", self.net_arch))
@@ -77,3 +83,16 @@ class DQNConfig:
         check_bool("symmetries", self.symmetries)
         check_bool("symmetric_values", self.symmetric_values)
         check_encoder(self.encoder)
+        self._check_annealing()
+
+    def _check_annealing(self) -> None:
+        pair = {
+            "final_learning_rate": self.final_learning_rate,
+            "anneal_steps": self.anneal_steps,
+        }
+        given, missing = sorted(pair, key=lambda name: pair[name] is None)
+        if pair[given] is not None and pair[missing] is None:
+            raise InvalidValueError(given, pair[given], f"together with {missing}")
+        if self.final_learning_rate is not None:
+            check_number("final_learning_rate", self.final_learning_rate, 0.0, 1.0)
+            check_int("anneal_steps", self.anneal_steps, 1, 1_000_000_000)

@@ -9,6 +9,7 @@ from stable_baselines3 import DQN
 from stable_baselines3.common.noise import ActionNoise
 from stable_baselines3.common.vec_env import VecEnv
 
+from singulate.agents.annealing import annealed, set_learning_rate
 from singulate.agents.dqn.config import DQNConfig
 from singulate.agents.dqn.exploration import GridExploration
 from singulate.agents.dqn.replay import SymmetricReplayBuffer
@@ -18,18 +19,16 @@ from singulate.agents.overlap import OverlappedSteps, OverlappedUpdates
 
 
 class GridDQN(OverlappedUpdates, DQN):
-    """DQN whose exploration depends on the number of pushes alone, with its own generator.
+    """DQN whose exploration and step size depend on the number of pushes alone.
 
-    stable-baselines3 ties exploration to the share of the training that is done, so extending a
-    run would change its past, and draws it from NumPy's global generator.
+    Exploration has its own generator (stable-baselines3 draws it from NumPy's global one).
 
     With several environments an update happens while they push, so between the choice of pushes
     and their result: a push is chosen by the network of one update before, and the update after
     the last push of a training is left to whoever continues it.
 
     Args:
-        exploration_steps: Pushes over which the exploration rate falls.
-        exploration_aimed: Share of the explored pushes that are aimed at objects.
+        config: Its settings.
         observation: Name of the observation.
 
     Attributes:
@@ -40,16 +39,15 @@ class GridDQN(OverlappedUpdates, DQN):
     def __init__(
         self,
         *args: Any,
-        exploration_steps: int,
-        exploration_aimed: float,
+        config: DQNConfig,
         observation: str,
         **kwargs: Any,
     ) -> None:
         super().__init__(*args, **kwargs)
-        self.exploration_steps = exploration_steps
+        self.config = config
         self.exploration_rate = 1.0
         rng = np.random.default_rng(self.seed)
-        self.exploration = GridExploration(rng, observation, exploration_aimed)
+        self.exploration = GridExploration(rng, observation, config.exploration_aimed)
         self.predicted_values: npt.NDArray[np.float32] = np.zeros(self.n_envs, np.float32)
 
     @property
@@ -69,9 +67,22 @@ class GridDQN(OverlappedUpdates, DQN):
 
     def _on_step(self) -> None:
         super()._on_step()
-        done = min(self.num_timesteps / self.exploration_steps, 1.0)
-        self.exploration_rate = 1.0 + done * (self.exploration_final_eps - 1.0)
+        self.exploration_rate = annealed(
+            1.0,
+            self.config.exploration_final_eps,
+            self.num_timesteps,
+            self.config.exploration_steps,
+        )
         self.logger.record("rollout/exploration_rate", self.exploration_rate)
+
+    def _update_learning_rate(
+        self, optimizers: list[torch.optim.Optimizer] | torch.optim.Optimizer
+    ) -> None:
+        start, end = self.config.learning_rate, self.config.final_learning_rate
+        over = self.config.anneal_steps
+        if end is not None and over is not None:
+            start = annealed(start, end, self.num_timesteps, over)
+        set_learning_rate(self, optimizers, start)
 
     def _sample_action(
         self, learning_starts: int, action_noise: ActionNoise | None = None, n_envs: int = 1
@@ -113,9 +124,7 @@ def build_model(config: DQNConfig, env: VecEnv, observation: str, seed: int) -> 
         },
         target_update_interval=config.target_update_interval,
         tau=config.tau,
-        exploration_final_eps=config.exploration_final_eps,
-        exploration_steps=config.exploration_steps,
-        exploration_aimed=config.exploration_aimed,
+        config=config,
         observation=observation,
         policy_kwargs=network_arguments(config, observation),
         seed=seed,

@@ -9,6 +9,7 @@ from gymnasium import spaces
 from stable_baselines3.common.noise import ActionNoise
 from stable_baselines3.common.vec_env import VecEnv
 
+from singulate.agents.annealing import annealed
 from singulate.agents.overlap import OverlappedSteps, OverlappedUpdates
 from singulate.agents.policy import FloatMap
 from singulate.agents.spatial.choice import best_push
@@ -86,8 +87,12 @@ class SpatialModel(OverlappedUpdates):
         self.logger.record("train/loss", np.mean(losses))
 
     def _on_step(self) -> None:
-        done = min(self.num_timesteps / self.settings.exploration_steps, 1.0)
-        self.exploration_rate = 1.0 + done * (self.settings.exploration_final_eps - 1.0)
+        self.exploration_rate = annealed(
+            1.0,
+            self.settings.exploration_final_eps,
+            self.num_timesteps,
+            self.settings.exploration_steps,
+        )
         self.logger.record("rollout/exploration_rate", self.exploration_rate)
 
     def _sample_action(

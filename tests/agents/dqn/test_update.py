@@ -68,6 +68,21 @@ def test_what_acts_after_training_is_the_running_average_of_the_network() -> Non
     assert not torch.allclose(_flat(model.q_net), expected, atol=1e-4)
 
 
+def test_the_step_size_falls_with_the_pushes_and_stays_low() -> None:
+    config = DQNConfig(
+        net_arch=(8,), batch_size=4, buffer_size=64, learning_starts=0,
+        learning_rate=1e-3, final_learning_rate=1e-4, anneal_steps=10,
+    )  # fmt: skip
+    env = PushEnv(scenario="random-2", action="grid")
+    model = build_model(config, DummyVecEnv([lambda: ScaledReward(env)]), "distance_map", seed=3)
+    rates = []
+    for pushes in (5, 10, 12):
+        model.learn(pushes - model.num_timesteps, reset_num_timesteps=False)
+        rates.append(model.policy.optimizer.param_groups[0]["lr"])
+    env.close()
+    assert rates == pytest.approx([5.5e-4, 1e-4, 1e-4])
+
+
 def _flat(network: torch.nn.Module) -> torch.Tensor:
     return torch.nn.utils.parameters_to_vector(network.parameters()).detach().clone()
 
