@@ -9,6 +9,7 @@ import webbrowser
 from collections.abc import Sequence
 from pathlib import Path
 
+from app.first_look import FirstLook
 from app.laboratory import Laboratory
 from app.loop import Dashboard
 from app.opening import prepare_opening
@@ -50,11 +51,13 @@ def serve(options: Options) -> None:
     # A browser that leaves while its page is drawn is no news.
     warnings.filterwarnings("ignore", message="Queued a .* on a closed connection")
     try:
-        server = open_server(listener, policy, on_handled=laboratory.wake)
-        dashboard = Dashboard(server, laboratory)
+        workspace = Workspace()
+        first_look = FirstLook(workspace)
+        server = open_server(listener, policy, laboratory.wake, first_look.dress)
+        dashboard = Dashboard(server, laboratory, workspace, on_snapshot=first_look.show)
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, lambda *_: stop.set())
-        prepare_opening(laboratory, Workspace(), stop)
+        prepare_opening(laboratory, workspace, stop)
         print(f"singulate: open {policy.url}", flush=True)
         if options.opens_browser:
             webbrowser.open(policy.url)

@@ -4,6 +4,7 @@ import logging
 import queue
 import threading
 import time
+from collections.abc import Callable
 
 import viser
 
@@ -35,6 +36,7 @@ class Dashboard:
         server: viser's server.
         laboratory: The one owner of the state.
         workspace: The table.
+        on_snapshot: Told of every snapshot that is drawn.
     """
 
     def __init__(
@@ -42,10 +44,12 @@ class Dashboard:
         server: viser.ViserServer,
         laboratory: Laboratory,
         workspace: Workspace | None = None,
+        on_snapshot: Callable[[Snapshot], None] = lambda _: None,
     ) -> None:
         self._server = server
         self._laboratory = laboratory
         self._workspace = workspace or Workspace()
+        self._on_snapshot = on_snapshot
         self._arrivals: queue.SimpleQueue[viser.ClientHandle] = queue.SimpleQueue()
         self._departures: queue.SimpleQueue[int] = queue.SimpleQueue()
         self._sessions: dict[int, ClientSession] = {}
@@ -76,6 +80,7 @@ class Dashboard:
         """One round: who came and went, what happened, what it looks like."""
         self._welcome()
         snapshot = self._laboratory.tick()
+        self._on_snapshot(snapshot)
         with self._server.atomic():
             self._draw_shared(snapshot)
         for client_id, session in list(self._sessions.items()):

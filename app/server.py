@@ -2,6 +2,8 @@
 
 import contextlib
 import errno
+import gzip
+import http
 import socket
 from collections.abc import Awaitable, Callable, Iterator
 from typing import Any
@@ -26,6 +28,8 @@ SECURITY_HEADERS = (
 )
 
 Handler = Callable[[Any], Awaitable[None]]
+Dress = Callable[[bytes], bytes]
+"""From viser's page, HTML, to the one that is sent."""
 
 
 def bind(host: str, port: int) -> socket.socket:
@@ -61,7 +65,10 @@ def bind(host: str, port: int) -> socket.socket:
 
 
 def open_server(
-    listener: socket.socket, policy: AccessPolicy, on_handled: Callable[[], None] = lambda: None
+    listener: socket.socket,
+    policy: AccessPolicy,
+    on_handled: Callable[[], None] = lambda: None,
+    dress: Dress = lambda page: page,
 ) -> viser.ViserServer:
     """Start viser on a bound socket.
 
@@ -73,9 +80,10 @@ def open_server(
         listener: The socket.
         policy: Who may come in.
         on_handled: Called, on viser's thread, after a browser's message has been handled.
+        dress: Gives viser's page, as it is sent, whatever else it should have; on viser's thread.
     """
     rich.get_console().quiet = True  # viser announces itself on standard output
-    with _guarded_serve(listener, policy, on_handled) as registry:
+    with _guarded_serve(listener, policy, on_handled, dress) as registry:
         server = viser.ViserServer(policy.host, policy.port, label="Singulate", verbose=False)
         registry.append(server)
     for message in (_messages.ShareUrlRequest, _messages.ShareUrlDisconnect):
@@ -93,13 +101,13 @@ def _refused(error: OSError, host: str, port: int) -> InvalidValueError:
 
 @contextlib.contextmanager
 def _guarded_serve(
-    listener: socket.socket, policy: AccessPolicy, on_handled: Callable[[], None]
+    listener: socket.socket, policy: AccessPolicy, on_handled: Callable[[], None], dress: Dress
 ) -> Iterator[list[viser.ViserServer]]:
     original = websockets.asyncio.server.serve
     registry: list[viser.ViserServer] = []
 
     def serve(handler: Handler, host: str, port: int, **options: Any) -> Any:
-        options["process_request"] = _judged(options["process_request"], policy)
+        options["process_request"] = _judged(options["process_request"], policy, dress)
         options["max_size"] = MAX_MESSAGE_BYTES
         return original(_checked(handler, registry, on_handled), sock=listener, **options)
 
@@ -111,10 +119,16 @@ def _guarded_serve(
 
 
 def _judged(
-    serve_file: Callable[[ServerConnection, Request], Response | None], policy: AccessPolicy
+    serve_file: Callable[[ServerConnection, Request], Response | None],
+    policy: AccessPolicy,
+    dress: Dress,
 ) -> Callable[[ServerConnection, Request], Response | None]:
     def process_request(connection: ServerConnection, request: Request) -> Response | None:
-        response = answer_request(policy, request) or serve_file(connection, request)
+        response = answer_request(policy, request)
+        if response is None:
+            response = serve_file(connection, request)
+            if response is not None and response.status_code == http.HTTPStatus.OK:
+                _dress_page(response, dress)
         if response is not None:
             for name, value in SECURITY_HEADERS:
                 if name not in response.headers:
@@ -122,6 +136,18 @@ def _judged(
         return response
 
     return process_request
+
+
+def _dress_page(response: Response, dress: Dress) -> None:
+    headers = response.headers
+    if not headers["Content-Type"].startswith("text/html"):
+        return
+    is_packed = headers["Content-Encoding"] == "gzip"
+    page = dress(gzip.decompress(response.body) if is_packed else bytes(response.body))
+    response.body = gzip.compress(page, compresslevel=1) if is_packed else page
+    del headers["Content-Length"]
+    headers["Content-Length"] = str(len(response.body))
+    headers["Cache-Control"] = "no-cache"
 
 
 def _checked(

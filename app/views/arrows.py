@@ -1,12 +1,16 @@
-"""Arrows on the table: the push that is aimed at, and the last one's ghost."""
+"""Arrows on the table: the push that is aimed at, and the last one's ghost.
+
+They are meshes of their own, because a browser makes two kinds of surface for viser's arrows, each
+of which a computer without a GPU compiles for a quarter of a second when a page opens; these are
+shaded like blocks.
+"""
 
 import math
 
-import numpy as np
-import numpy.typing as npt
 import viser
 
 from app.aim import Aim
+from app.views.arrow_mesh import ArrowShape
 from app.views.hover import follow_pointer
 from app.views.palette import AIM_COLOUR, Colour, surface
 from singulate.geometry import Push, Workspace
@@ -25,7 +29,7 @@ class ArrowView:
         scene: Where it is drawn.
         name: Its node.
         colour: Its colour.
-        thickness: Radius of its shaft [m].
+        thickness: Half the width of its shaft [m].
         height: How far above the table it lies [m].
         length: From tail to tip [m].
     """
@@ -41,24 +45,24 @@ class ArrowView:
         length: float,
     ) -> None:
         self._height = height
+        self._shape = ArrowShape(thickness)
         self._length = length
         self._start: tuple[float, float] | None = None
         self._yaw = 0.0
-        self._arrow = scene.add_arrows(
+        self._arrow = scene.add_mesh_simple(
             name,
-            _along_x(length),
-            colour,
-            shaft_radius=thickness,
-            head_radius=3.2 * thickness,
-            head_length=7.0 * thickness,
-            scale=(1.0, 1.0, 0.15),
+            self._shape.vertices(length),
+            self._shape.faces(),
+            color=colour,
+            flat_shading=True,
+            cast_shadow=False,
             position=_OUT_OF_SIGHT,
             visible=False,
         )
 
     def paint(self, colour: Colour) -> None:
         """Change its colour."""
-        self._arrow.colors = np.array(colour, dtype=np.uint8)
+        self._arrow.color = colour
 
     def place(self, start: tuple[float, float]) -> None:
         """Put its tail at a place (x, y) [m]."""
@@ -77,7 +81,7 @@ class ArrowView:
         """Reach this far [m]."""
         if length != self._length:
             self._length = length
-            self._arrow.points = _along_x(length)
+            self._arrow.vertices = self._shape.vertices(length)
 
     def show(self, is_visible: bool) -> None:
         """Show or hide it."""
@@ -136,7 +140,3 @@ class GhostView:
         if is_dark != self._is_dark:
             self._is_dark = is_dark
             self._arrow.paint(surface(is_dark).ghost)
-
-
-def _along_x(length: float) -> npt.NDArray[np.float32]:
-    return np.array([[[0.0, 0.0, 0.0], [length, 0.0, 0.0]]], dtype=np.float32)

@@ -1,6 +1,7 @@
 """Soft contact shadows: a sheet under each block that moves with it, over draped fields too."""
 
 import math
+from typing import Any
 
 import cv2
 import numpy as np
@@ -87,7 +88,15 @@ def shadow_glb() -> bytes:
         visual=TextureVisuals(uv=(corners + 1) / 2, material=material),  # type: ignore[no-untyped-call]
         process=False,
     )
-    return bytes(export_glb(trimesh.Scene(sheet)))  # type: ignore[no-untyped-call]
+    glb = export_glb(trimesh.Scene(sheet), tree_postprocessor=_draw_without_light)  # type: ignore[no-untyped-call]
+    return bytes(glb)
+
+
+def _draw_without_light(gltf: dict[str, Any]) -> None:
+    """A shadow is as dark in any light, and cheaper: browsers compile and draw less."""
+    gltf["extensionsUsed"] = ["KHR_materials_unlit"]
+    for material in gltf["materials"]:
+        material["extensions"] = {"KHR_materials_unlit": {}}
 
 
 def _place(handle: viser.GlbHandle, pose: BlockPose | None) -> None:

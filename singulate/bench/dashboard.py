@@ -11,7 +11,12 @@ import numpy as np
 from singulate.bench.dashboard_drag import drag_block
 from singulate.bench.dashboard_opening import time_opening
 from singulate.bench.dashboard_page import VIEWPORT, ClickTimes, open_page
-from singulate.bench.dashboard_process import SCENARIO, running_dashboard, running_trainer
+from singulate.bench.dashboard_process import (
+    SCENARIO,
+    running_bare_page,
+    running_dashboard,
+    running_trainer,
+)
 from singulate.bench.dashboard_socket import open_socket
 from singulate.bench.measurement import BenchOptions, Measurement
 from singulate.exceptions import SingulateError
@@ -46,11 +51,25 @@ def bench_dashboard(options: BenchOptions) -> Iterator[Measurement]:
 
 
 def _opening(directory: Path, num_repeats: int) -> Iterator[Measurement]:
-    with running_dashboard(directory, scenario="random-2") as dashboard:
-        first, *later = [time_opening(dashboard.url, directory) for _ in range(1 + num_repeats)]
-    note = "scene and true reward are drawn; a new browser each time, software rendering"
-    yield Measurement("opening the page, first visitor", 1e3 * first, "ms", note)
-    yield from _spread("opening the page", later, note)
+    with (
+        running_dashboard(directory, scenario="random-2") as dashboard,
+        running_bare_page(directory) as bare_url,
+    ):
+        first = time_opening(dashboard.url, directory)
+        by_turns = [
+            (time_opening(dashboard.url, directory), time_opening(bare_url, directory))
+            for _ in range(num_repeats)
+        ]
+    later, bare = [ours for ours, _ in by_turns], [theirs.drawn for _, theirs in by_turns]
+    note = "a new browser each time, software rendering"
+    looked, drawn = f"pictures of scene and maps; {note}", f"live scene and true reward; {note}"
+    yield Measurement("opening: first look, first visitor", 1e3 * first.first_look, "ms", looked)
+    yield from _spread("opening: first look", [each.first_look for each in later], looked)
+    yield Measurement("opening: live, first visitor", 1e3 * first.drawn, "ms", drawn)
+    yield from _spread("opening: live", [each.drawn for each in later], drawn)
+    yield from _spread("opening: a bare page of viser", bare, f"a block on a table; {note}")
+    ratio = float(np.median([each.drawn for each in later]) / np.median(bare))
+    yield Measurement("opening: live against a bare page", ratio, "", "medians, by turns")
 
 
 def _dragging(directory: Path, num_repeats: int) -> Iterator[Measurement]:

@@ -5,7 +5,7 @@ import re
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import NamedTuple
@@ -48,14 +48,27 @@ def running_dashboard(
     Raises:
         SingulateError: If it ends before it listens.
     """
-    command = [sys.executable, "-m", "app", "--port", "0", "--scenario", scenario]
+    arguments = ["app", "--port", "0", "--scenario", scenario]
     if run_dir is not None:
-        command += ["--run", str(run_dir)]
+        arguments += ["--run", str(run_dir)]
+    with _serving(arguments, directory) as dashboard:
+        yield dashboard
+
+
+@contextmanager
+def running_bare_page(directory: Path) -> Iterator[str]:
+    """Serve the least that a page can be; yields its URL. See `running_dashboard`."""
+    with _serving(["app.bare_page"], directory) as page:
+        yield page.url
+
+
+@contextmanager
+def _serving(arguments: Sequence[str], directory: Path) -> Iterator[RunningDashboard]:
     path = {"PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
-    log_path = directory / "app.log"
+    log_path = directory / f"{arguments[0]}.log"
     with log_path.open("wb") as log:
         process = subprocess.Popen(
-            command,
+            [sys.executable, "-m", *arguments],
             stdout=subprocess.PIPE,
             stderr=log,
             env=os.environ | path | {"SINGULATE_RUNS": str(directory)},

@@ -49,6 +49,7 @@ RECORD_PUSHER = """() => {
 IS_STEADY = """() => {
     const m = window.__viserMutable;
     if (!m?.nodeRefFromName?.["/blocks/0"]?.visible) return false;
+    if (document.getElementById("first-look")) return false;
     const now = JSON.stringify([m.camera.position.toArray(), m.camera.aspect]);
     const before = window.__before;
     window.__before = now;

@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 from PIL import Image
+from playwright.sync_api import Browser
 
 from app.fields.catalogue import FIELD_KINDS, FIELDS_BY_KEY, FIELDS_BY_LABEL
 from app.views.table import MARGIN
@@ -53,6 +54,24 @@ def shown_field(page: Any) -> str:
     return next((value for value in values if value in FIELDS_BY_LABEL), "")
 
 
+WATCH_FIRST_LOOK = """(() => {
+    const isLive = (name) => window.__viserMutable?.nodeRefFromName?.[name] !== undefined;
+    const look = () => {
+        const images = [...document.querySelectorAll("#first-look img")];
+        if (images.length && images.every((each) => each.complete)) {
+            const widths = images.map((each) => each.getBoundingClientRect().width);
+            window.__shown ??= [widths, isLive("/blocks/0")];
+        }
+        if (window.__shown && !document.getElementById("first-look")) {
+            window.__gone = ["/table/top", "/blocks/0"].map(isLive);
+        } else {
+            requestAnimationFrame(look);
+        }
+    };
+    requestAnimationFrame(look);
+})()"""
+
+
 def show_field(page: Any, label: str) -> None:
     """Turn fields over until one lies on the table."""
     page.wait(lambda: shown_field(page))
@@ -79,6 +98,22 @@ def test_webgl_draws_the_table_between_the_panels(page: Any) -> None:
     assert 0 <= top < bottom <= 720
     assert right - left > 500
     page.wait(lambda: pixels(page.picture("light"))[:, 300:900].std() > 20)
+
+
+def test_pictures_of_the_scene_are_there_before_viser_and_give_way_to_it(
+    browser: Browser, app_url: str
+) -> None:
+    context = browser.new_context(viewport={"width": 1280, "height": 720})
+    page = context.new_page()
+    page.add_init_script(WATCH_FIRST_LOOK)
+    page.goto(app_url, wait_until="commit")
+    page.wait_for_function("() => window.__gone !== undefined", timeout=60_000)
+    shown, gone = page.evaluate("() => [window.__shown, window.__gone]")
+    widths, is_live = shown
+    assert len(widths) >= 3 and min(widths) >= 200, "scene, distance map and the agent's map"
+    assert not is_live, "it came before the live table"
+    assert gone == [True, True], "the live table and its blocks were there when it went"
+    context.close()
 
 
 def test_the_persons_own_browser_was_asked_to_open_it(
