@@ -19,8 +19,6 @@ PAPERS_AGENT = "dqn"
 MAX_PUSHES = {
     "spatial": 3_000,
     "multimodal-ppo": 24_000,
-    "fourier-ppo": 24_000,
-    "mixture-ppo": 24_000,
     "dqn": 20_000,
     "ppo": 20_000,
 }

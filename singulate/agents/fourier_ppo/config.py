@@ -14,9 +14,6 @@ HEAD_CELLS = 32
 class FourierPPOConfig(DensityPPOConfig):
     """Chosen without a search; see `DensityPPOConfig` for the other settings.
 
-    What it reaches is not measured yet (`singulate reproduce ideas`). On a toy task with two good
-    pushes, small networks of this kind learn far slower than those of ``multimodal-ppo``.
-
     Attributes:
         num_frequencies: Cosines along each axis, the constant included; the shortest half-wave is
             2 l / (num_frequencies - 1).

@@ -36,7 +36,9 @@ class FourierNet(TurnedNet):
 
     The coefficients are those of a map that the convolutions make: its projection on the first
     cosines. A fully connected layer would have to learn at each place anew how a block's position
-    turns into phases; here the same features give the same modes wherever they are.
+    turns into phases; here the same features give the same modes wherever they are. The map is
+    made higher by what the projection takes from a single peak, so that steps of learning are felt
+    alike however many cosines there are.
 
     Args:
         image_size: H, pixels along each side of an observation.
@@ -51,9 +53,10 @@ class FourierNet(TurnedNet):
         super().__init__(image_size, HEAD_CELLS, widths, num_channels=1)
         self._cells = PushCells(num_cells)
         self._num_frequencies = num_frequencies
+        self._gain = (HEAD_CELLS / num_frequencies) ** 2
 
     def forward(self, observations: torch.Tensor) -> FourierMaps:
         """Look at observations, (batch, H, H)."""
         heads, values = self.look(observations)
-        maps = turn_back(heads)[:, :, 0]
+        maps = self._gain * turn_back(heads)[:, :, 0]
         return FourierMaps(self._cells, coefficients_of(maps, self._num_frequencies), values)

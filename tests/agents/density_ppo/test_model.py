@@ -54,7 +54,9 @@ def make_model(agent: str, **settings: object) -> DensityPPO:
     return model
 
 
-@pytest.mark.parametrize(("agent", "ent_coef"), [("multimodal-ppo", 0.5), ("mixture-ppo", 0.05)])
+@pytest.mark.parametrize(
+    ("agent", "ent_coef"), [("multimodal-ppo", 0.5), ("mixture-ppo", 0.05), ("fourier-ppo", 0.05)]
+)
 def test_it_learns_both_of_two_pushes_that_pay(agent: str, ent_coef: float) -> None:
     """A Gaussian could cover one of them, or the useless middle.
 

@@ -1,6 +1,9 @@
+import pytest
 import torch
 
+from singulate.agents.fourier_ppo.config import HEAD_CELLS
 from singulate.agents.fourier_ppo.network import FourierNet
+from singulate.agents.fourier_ppo.series import series_at
 
 
 def _net() -> FourierNet:
@@ -37,3 +40,15 @@ def test_an_untrained_policy_prefers_no_start() -> None:
     torch.manual_seed(0)
     maps = FourierNet(64, 64, 24, (16, 16, 16))(torch.rand(2, 64, 64) * 60)
     assert (maps.distribution().entropy() > 2.7).all()  # the largest is log 16 = 2.77
+
+
+@pytest.mark.parametrize("num_frequencies", [8, 24, 32])
+def test_a_peak_of_the_convolutions_keeps_its_height(num_frequencies: int) -> None:
+    net = FourierNet(64, 64, num_frequencies, (8,))
+    peak = torch.zeros(1, 4, 1, HEAD_CELLS, HEAD_CELLS)
+    peak[0, 1, 0, 16, 12] = 3.0
+    net.look = lambda _: (peak, torch.zeros(1, 1))  # type: ignore[assignment, method-assign]
+    series = series_at(net(torch.zeros(1, 64, 64)).coefficients, HEAD_CELLS)
+    turned_back = torch.rot90(peak[0, 1, 0], -1)
+    at = divmod(int(turned_back.argmax()), HEAD_CELLS)
+    assert float(series[0, 1][at]) == pytest.approx(3.0, rel=0.25)
