@@ -18,7 +18,7 @@ _HOST = "127.0.0.1"
 
 
 def main() -> int:
-    """Serve a block on a table with a field, all of plain colours, until interrupted."""
+    """Serve a block on a square, of plain colours, until interrupted."""
     listener = bind(_HOST, 0)
     policy = AccessPolicy(_HOST, listener.getsockname()[1], None)
     server = open_server(listener, policy)
@@ -34,8 +34,7 @@ def main() -> int:
 
 def _draw(scene: viser.SceneApi) -> None:
     add_lights(scene)
-    for name, shade in (("/table/top", 200), ("/field", 100)):
-        scene.add_image(name, np.full((64, 64, 3), shade, np.uint8), 2.0, 2.0)
+    scene.add_image("/field", np.full((64, 64, 3), 100, np.uint8), 2.0, 2.0)
     scene.add_box("/blocks/0", (200, 120, 40), (0.2, 0.2, 0.2))
 
 

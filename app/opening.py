@@ -8,7 +8,8 @@ from app.laboratory import Laboratory
 from app.panels.icons import read_icons
 from app.preferences import Preferences
 from app.snapshot import Snapshot
-from app.views.table import print_table
+from app.views.field import print_workspace
+from app.views.table import print_rim
 from singulate.geometry import Workspace
 
 LONGEST_PREPARATION_S = 10.0
@@ -30,7 +31,8 @@ def prepare_opening(laboratory: Laboratory, workspace: Workspace, stop: threadin
     preferences = Preferences()
     wanted = computed_fields(preferences)
     laboratory.set_wanted_fields(wanted)
-    print_table(workspace, preferences.is_dark)
+    print_rim(workspace, preferences.is_dark)
+    print_workspace(workspace, preferences.is_dark)
     read_icons()
     give_up = time.monotonic() + LONGEST_PREPARATION_S
     while not stop.is_set() and time.monotonic() < give_up:

@@ -59,12 +59,12 @@ class Pointer:
     """Listens to one browser.
 
     A left click anywhere over the workspace counts, on a block too: the ray is followed down to
-    the table. Dragging with the left button on the table draws an arrow; next to the table, or
-    with another button, it moves the camera.
+    the table. Dragging with the left button on the workspace draws an arrow; next to it, or with
+    another button, it moves the camera.
 
     Args:
         client: The browser.
-        top: Its table top.
+        surface: What it draws of the workspace.
         workspace: Clicks outside it are ignored.
         actions: What to do.
     """
@@ -72,7 +72,7 @@ class Pointer:
     def __init__(
         self,
         client: viser.ClientHandle,
-        top: viser.ImageHandle,
+        surface: viser.ImageHandle,
         workspace: Workspace,
         actions: PointerActions,
     ) -> None:
@@ -81,7 +81,7 @@ class Pointer:
         self._actions = actions
         self._drag_start: Point | None = None
         client.scene.on_click()(self._on_click)  # type: ignore[arg-type]  # viser takes both
-        top.on_drag("left")(self._on_drag)
+        surface.on_drag("left")(self._on_drag)
 
     # viser runs coroutine callbacks in order on its event loop and plain ones in a pool of
     # threads, where the phases of a drag overtake each other: so these are coroutines that never

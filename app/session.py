@@ -14,7 +14,7 @@ from app.views.arrows import AimView, GhostView
 from app.views.camera import CameraView
 from app.views.field import FieldView
 from app.views.pusher import PUSHER_HEIGHT, ActorNameView
-from app.views.table import TableView
+from app.views.table import RimView
 from singulate.geometry import Push, Workspace
 
 
@@ -42,13 +42,13 @@ class ClientSession:
         self._workspace = workspace
         self._start: Point | None = None
         self._scene: SceneSnapshot | None = None
-        self._table = TableView(client.scene, workspace)
+        self._rim = RimView(client.scene, workspace)
         self._field = FieldView(client.scene, workspace)
         self._aim_view = AimView(client, workspace)
         self._ghost = GhostView(client, workspace)
         self._actor_name = ActorNameView(client.scene)
         actions = PointerActions(self._click, self._take_aim, self._release)
-        self._pointer = Pointer(client, self._table.top, workspace, actions)
+        self._pointer = Pointer(client, self._field.image, workspace, actions)
         self._block_pointer = BlockPointer(client, workspace, name, submit)
         self._camera = CameraView(client, workspace)
         top = client.gui.add_command("View from the top, and back", hotkey="C")
@@ -64,8 +64,8 @@ class ClientSession:
         self._camera.update()
         self.page.update(snapshot)
         is_dark = self.page.is_dark
-        self._table.update(is_dark)
-        self._field.update(self.page.draped)
+        self._rim.update(is_dark)
+        self._field.update(self.page.draped, is_dark)
         self._scene = scene = snapshot.scene
         is_free = scene is not None and not scene.is_pushing and scene.held_by != self.name
         self._aim_view.update(self.aim, is_shown=is_free)

@@ -1,13 +1,14 @@
-"""The table with the marks of the workspace."""
+"""The table around the workspace."""
 
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 import viser
 
 from app.views.palette import surface
-from app.views.table_marks import table_marks
+from app.views.table_marks import RIM_SCALE, rim_marks
 from singulate.geometry import Workspace
 
 MARGIN = 0.14
@@ -15,38 +16,36 @@ MARGIN = 0.14
 _THICKNESS = 0.05
 
 
-class TableView:
-    """The table in one browser; its theme is that browser's.
+class RimView:
+    """The table's rim in one browser; its theme is that browser's.
 
-    The top is one printed sheet and the edges are walls around nothing: a computer without a GPU
-    pays for every layer that covers the picture, and for every kind of surface when a page opens
-    (the walls are shaded like blocks).
+    A computer without a GPU pays for every layer that covers the picture, so nothing lies under
+    the workspace, which `FieldView` draws. It also pays for every kind of surface when a page
+    opens: the edges, walls around nothing, are shaded like blocks.
 
     Args:
         scene: The browser's own scene.
-        workspace: The square that is marked on the table.
-
-    Attributes:
-        top: The sheet; it can be dragged on.
+        workspace: The square that the rim goes around.
     """
 
     def __init__(self, scene: viser.SceneApi, workspace: Workspace) -> None:
         self._workspace = workspace
         self._is_dark = False
-        width = workspace.length + 2 * MARGIN
-        colours = surface(False)
-        self.top = scene.add_image(
-            "/table/top",
-            print_table(workspace, False),
-            width,
-            width,
-            format="png",
-            cast_shadow=False,
-        )
+        self._strips = [
+            scene.add_image(
+                f"/table/rim/{index}",
+                strip.picture,
+                *strip.size,
+                format="png",
+                cast_shadow=False,
+                position=(*strip.centre, 0.0),
+            )
+            for index, strip in enumerate(print_rim(workspace, False))
+        ]
         self._edges = scene.add_mesh_simple(
             "/table/edges",
-            *_walls(width),
-            color=colours.table,
+            *_walls(workspace.length + 2 * MARGIN),
+            color=surface(False).table,
             flat_shading=True,
             cast_shadow=False,
         )
@@ -57,13 +56,50 @@ class TableView:
             return
         self._is_dark = is_dark
         self._edges.color = surface(is_dark).table
-        self.top.image = print_table(self._workspace, is_dark)
+        for shown, strip in zip(self._strips, print_rim(self._workspace, is_dark), strict=True):
+            shown.image = strip.picture
+
+
+class Strip(NamedTuple):
+    """A rectangle of the printed rim.
+
+    Attributes:
+        picture: RGB uint8 (H, W, 3), row 0 at -y, as viser wants it.
+        size: Along x and y [m].
+        centre: (x, y) [m].
+    """
+
+    picture: npt.NDArray[np.uint8]
+    size: tuple[float, float]
+    centre: tuple[float, float]
 
 
 @lru_cache(maxsize=4)
-def print_table(workspace: Workspace, is_dark: bool) -> npt.NDArray[np.uint8]:
-    """The picture on the table, the same for all pages; row 0 at -y, as viser wants it."""
-    return np.ascontiguousarray(table_marks(workspace, MARGIN, surface(is_dark))[::-1])
+def print_rim(workspace: Workspace, is_dark: bool) -> tuple[Strip, ...]:
+    """The rim in four strips, below, above, left and right; the same for all pages."""
+    marks = rim_marks(workspace, MARGIN, surface(is_dark))[::-1]
+    reach, inner = workspace.half_length + MARGIN, workspace.half_length
+    rectangles = (
+        (-reach, reach, -reach, -inner),
+        (-reach, reach, inner, reach),
+        (-reach, -inner, -inner, inner),
+        (inner, reach, -inner, inner),
+    )
+    return tuple(_cut(marks, reach, *rectangle) for rectangle in rectangles)
+
+
+def _cut(
+    marks: npt.NDArray[np.uint8], reach: float, left: float, right: float, low: float, high: float
+) -> Strip:
+    columns, rows = (
+        slice(*(round((edge + reach) * RIM_SCALE) for edge in edges))
+        for edges in ((left, right), (low, high))
+    )
+    return Strip(
+        np.ascontiguousarray(marks[rows, columns]),
+        (right - left, high - low),
+        ((left + right) / 2, (low + high) / 2),
+    )
 
 
 def _walls(width: float) -> tuple[npt.NDArray[np.float32], npt.NDArray[np.int32]]:

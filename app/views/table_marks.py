@@ -1,4 +1,4 @@
-"""The table top as one picture: border, grid, axes and numerals of the workspace."""
+"""What is printed on the table: numerals and border on its rim, a grid on the workspace."""
 
 import numpy as np
 import numpy.typing as npt
@@ -7,30 +7,30 @@ from PIL import Image, ImageDraw, ImageFont
 from app.views.palette import Colour, Surface
 from singulate.geometry import Workspace
 
-PIXELS = 1400
+RIM_SCALE = 600
+"""Pixels a metre of the rim, whose numerals have to be sharp."""
+WORKSPACE_PIXELS = 640
+"""Pixels along each side of the workspace: a multiple of a draped field's."""
 _BORDER_M = 0.007
+_LINE_M = 0.003
 _FONT_HEIGHT_M = 0.056
 _NUM_CELLS = 4
 
 
-def table_marks(workspace: Workspace, margin: float, colours: Surface) -> npt.NDArray[np.uint8]:
-    """Draw what is printed on the table.
+def rim_marks(workspace: Workspace, margin: float, colours: Surface) -> npt.NDArray[np.uint8]:
+    """Draw what is printed around the workspace.
 
     Args:
         workspace: The marked square.
-        margin: How far the picture reaches beyond it on each side [m]; numerals stand there.
+        margin: How far the table reaches beyond it on each side [m].
         colours: Of the page's theme.
 
     Returns:
-        RGB uint8 (PIXELS, PIXELS, 3), row 0 at +y.
+        RGB uint8 (P, P, 3) of the whole table, row 0 at +y, `RIM_SCALE` pixels a metre.
     """
-    sheet = _Sheet(workspace, margin, colours.table)
-    ticks = np.linspace(-workspace.half_length, workspace.half_length, _NUM_CELLS + 1)
-    reach, outside = workspace.half_length, workspace.half_length + margin / 2
-    for tick in ticks[1:-1]:
-        sheet.line((tick, -reach), (tick, reach), colours.grid)
-        sheet.line((-reach, tick), (reach, tick), colours.grid)
-    sheet.frame(reach, colours.border)
+    sheet = _Sheet(workspace.half_length + margin, RIM_SCALE, colours.table)
+    ticks, outside = _ticks(workspace), workspace.half_length + margin / 2
+    sheet.frame(workspace.half_length, colours.border)
     for tick in ticks:
         sheet.text(f"{tick:g}", (tick, -outside), colours.print)
         sheet.text(f"{tick:g}", (-outside, tick), colours.print)
@@ -39,13 +39,33 @@ def table_marks(workspace: Workspace, margin: float, colours: Surface) -> npt.ND
     return sheet.pixels
 
 
-class _Sheet:
-    """A sheet in world coordinates."""
+def workspace_marks(workspace: Workspace, colours: Surface) -> npt.NDArray[np.uint8]:
+    """Draw the grid of the workspace; RGB uint8 (640, 640, 3), row 0 at +y."""
+    reach = workspace.half_length
+    sheet = _Sheet(reach, WORKSPACE_PIXELS / workspace.length, colours.table)
+    for tick in _ticks(workspace)[1:-1]:
+        sheet.line((tick, -reach), (tick, reach), colours.grid)
+        sheet.line((-reach, tick), (reach, tick), colours.grid)
+    return sheet.pixels
 
-    def __init__(self, workspace: Workspace, margin: float, ground: Colour) -> None:
-        self._reach = workspace.half_length + margin
-        self._scale = PIXELS / (2 * self._reach)
-        self._image = Image.new("RGB", (PIXELS, PIXELS), ground)
+
+def _ticks(workspace: Workspace) -> npt.NDArray[np.float64]:
+    return np.linspace(-workspace.half_length, workspace.half_length, _NUM_CELLS + 1)
+
+
+class _Sheet:
+    """A sheet in world coordinates.
+
+    Args:
+        reach: Half its side [m].
+        scale: Pixels a metre.
+        ground: Its colour.
+    """
+
+    def __init__(self, reach: float, scale: float, ground: Colour) -> None:
+        self._reach, self._scale = reach, scale
+        pixels = round(2 * reach * scale)
+        self._image = Image.new("RGB", (pixels, pixels), ground)
         self._draw = ImageDraw.Draw(self._image)
         self._font = ImageFont.load_default(_FONT_HEIGHT_M * self._scale)
 
@@ -54,7 +74,8 @@ class _Sheet:
         return np.asarray(self._image)
 
     def line(self, start: tuple[float, float], end: tuple[float, float], ink: Colour) -> None:
-        self._draw.line([self._place(start), self._place(end)], fill=ink, width=2)
+        width = max(1, round(_LINE_M * self._scale))
+        self._draw.line([self._place(start), self._place(end)], fill=ink, width=width)
 
     def frame(self, reach: float, ink: Colour) -> None:
         """Around the square, so that nothing that is laid on the square hides it."""

@@ -67,7 +67,7 @@ def _opening(directory: Path, num_repeats: int) -> Iterator[Measurement]:
     yield from _spread("opening: first look", [each.first_look for each in later], looked)
     yield Measurement("opening: live, first visitor", 1e3 * first.drawn, "ms", drawn)
     yield from _spread("opening: live", [each.drawn for each in later], drawn)
-    yield from _spread("opening: a bare page of viser", bare, f"a block on a table; {note}")
+    yield from _spread("opening: a bare page of viser", bare, f"a block on a square; {note}")
     ratio = float(np.median([each.drawn for each in later]) / np.median(bare))
     yield Measurement("opening: live against a bare page", ratio, "", "medians, by turns")
 

@@ -21,7 +21,7 @@ _WATCH = """() => {
         if (pictures.length > 1 && pictures.every((each) => each.complete)) {
             window.__shownAt ??= performance.now();
         }
-        if (["/table/top", "/blocks/0", "/field"].every(isDrawn)) {
+        if (["/blocks/0", "/field"].every(isDrawn)) {
             requestAnimationFrame(() => { window.__drawnAt = performance.now(); });
         } else {
             requestAnimationFrame(look);

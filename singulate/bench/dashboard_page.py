@@ -21,10 +21,12 @@ _ARGUMENTS = (
     "--no-sandbox",
 )
 _TIMEOUT_MS = 60_000
+_HOVER_MS = 500.0
+"""How long the pointer rests before it clicks; people need about as long [ms]."""
 
 _IS_READY = """() => {
     const nodes = window.__viserMutable?.nodeRefFromName;
-    return nodes?.["/pusher"] && nodes["/table/top"] && nodes["/blocks/0"];
+    return nodes?.["/pusher"] && nodes["/field"] && nodes["/blocks/0"];
 }"""
 
 _WATCH = """() => {
@@ -147,13 +149,19 @@ class DashboardPage:
     def click(self, x: float, y: float) -> ClickTimes:
         """Click on the table once it is at rest and wait until the pusher has been seen moving.
 
+        The pointer is there a moment before the button goes down, as a hand's is: the aim arrow
+        follows it, and drawing that is no part of the answer to the click.
+
         Args:
             x: Where, from left to right [m].
             y: Where, from below to above [m].
         """
         page = self.window
         page.wait_for_function(_IS_AT_REST, timeout=_TIMEOUT_MS)
-        page.mouse.click(*page.evaluate(PROJECT, [x, y]))
+        page.mouse.move(*page.evaluate(PROJECT, [x, y]))
+        page.wait_for_timeout(_HOVER_MS)
+        page.mouse.down()
+        page.mouse.up()
         page.wait_for_function(_HAS_MOVED, timeout=_TIMEOUT_MS)
         times = page.evaluate("() => window.__clickTimes")
         pressed = times["pressed"]

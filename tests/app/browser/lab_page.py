@@ -17,7 +17,7 @@ PROJECT = """([x, y, z]) => {
     const m = window.__viserMutable, box = m.canvas.getBoundingClientRect();
     m.camera.updateMatrixWorld();
     const p = m.camera.position.clone().set(x, y, z);
-    p.applyMatrix4(m.nodeRefFromName["/table/top"].parent.matrixWorld).project(m.camera);
+    p.applyMatrix4(m.nodeRefFromName["/field"].parent.matrixWorld).project(m.camera);
     return [box.left + (p.x + 1) / 2 * box.width, box.top + (1 - p.y) / 2 * box.height];
 }"""
 

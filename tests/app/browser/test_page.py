@@ -63,7 +63,7 @@ WATCH_FIRST_LOOK = """(() => {
             window.__shown ??= [widths, isLive("/blocks/0")];
         }
         if (window.__shown && !document.getElementById("first-look")) {
-            window.__gone = ["/table/top", "/blocks/0"].map(isLive);
+            window.__gone = ["/field", "/blocks/0"].map(isLive);
         } else {
             requestAnimationFrame(look);
         }
@@ -87,7 +87,7 @@ def show_field(page: Any, label: str) -> None:
 def test_webgl_draws_the_table_between_the_panels(page: Any) -> None:
     kind = page.page.evaluate("() => window.__viserMutable.canvas.getContext('webgl2') !== null")
     assert kind is True
-    for name in ("/table/top", "/table/edges", "/shadows/0", "/field", "/pusher"):
+    for name in ("/table/rim/0", "/table/edges", "/shadows/0", "/field", "/pusher"):
         assert page.node(name) is not None, name
     assert page.page.evaluate("() => window.__viserTestpoints.rendererInfo.memory.textures") >= 3
 
