@@ -1,5 +1,7 @@
 """Makes a small checkpoint to give away out of a run: weights, manifest and a README."""
 
+import json
+import shlex
 from collections.abc import Mapping
 from dataclasses import fields, replace
 from pathlib import Path
@@ -91,8 +93,12 @@ def train_command(config: TrainingConfig) -> str:
     plain_agent = TrainingConfig(config.agent, config.env, 1).agent_config
     for name, value in config.agent_config.items():
         if value != plain_agent.get(name):
-            words.append(f"--set {name}={str(value).replace(' ', '')}")
+            words.append(f"--set {shlex.quote(f'{name}={_as_typed(value)}')}")
     return " ".join(words)
+
+
+def _as_typed(value: object) -> str:
+    return value if isinstance(value, str) else json.dumps(value, separators=(",", ":"))
 
 
 def _readme(

@@ -1,13 +1,17 @@
 import json
+import shlex
 from pathlib import Path
 
 import pytest
 
 import singulate
+from singulate.agents.registry import agent_kind
 from singulate.checkpoints import verify_checkpoint
 from singulate.cli import main
+from singulate.cli.lists import parse_setting
 from singulate.cli.publishing import train_command
 from singulate.envs import EnvConfig
+from singulate.paths import shipped_checkpoints_directory
 from singulate.training.config import TrainingConfig
 
 
@@ -71,10 +75,27 @@ def test_a_target_that_cannot_be_used_is_found_first(
     assert "can be written" in capsys.readouterr().err
 
 
-def test_the_command_names_what_is_not_default() -> None:
+def test_the_command_names_what_is_not_default_and_can_be_typed() -> None:
     env = EnvConfig("random-3", observation="mask", action="grid", max_pushes=2)
-    config = TrainingConfig("dqn", env, 500, seed=4, agent_config={"net_arch": [8, 8]})
-    assert train_command(config) == (
+    settings = {"net_arch": [8, 8], "symmetric_values": True, "tau": 0.5}
+    config = TrainingConfig("dqn", env, 500, seed=4, agent_config=settings)
+    command = train_command(config)
+    assert command == (
         "singulate train --agent dqn --scenario random-3 --steps 500 --seed 4 "
-        "--observation mask --max-pushes 2 --set net_arch=[8,8]"
+        "--observation mask --max-pushes 2 --set 'net_arch=[8,8]' --set tau=0.5 "
+        "--set symmetric_values=true"
     )
+    words = shlex.split(command)
+    options = [words[i + 1] for i, word in enumerate(words) if word == "--set"]
+    typed = dict(parse_setting("--set", option) for option in options)
+    assert TrainingConfig("dqn", env, 500, seed=4, agent_config=typed) == config
+
+
+def test_commands_of_shipped_checkpoints_can_be_typed() -> None:
+    for manifest in map(verify_checkpoint, sorted(shipped_checkpoints_directory().iterdir())):
+        words = shlex.split(str(manifest.notes["command"]))
+        options = [words[i + 1] for i, word in enumerate(words) if word == "--set"]
+        typed = dict(parse_setting("--set", option) for option in options)
+        made = agent_kind(manifest.agent).make_config(typed)
+        stored = agent_kind(manifest.agent).make_config(manifest.agent_config)
+        assert made == stored, manifest.notes["command"]

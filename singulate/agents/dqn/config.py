@@ -22,7 +22,9 @@ class DQNConfig:
         final_learning_rate: Step size after `anneal_steps` pushes, reached linearly; None to keep
             it as it is.
         anneal_steps: Pushes over which the step size falls; given with `final_learning_rate`.
-        net_arch: Widths of the fully connected layers, ReLU after each (section 3.3).
+        net_arch: Widths of the fully connected layers, ReLU after each (section 3.3). All values of
+            a scene are linear in the last of them, of which the paper's has 16; wider last layers
+            resolve more of the 400.
         buffer_size: Pushes that are remembered; each takes 32 KiB of memory.
         learning_starts: Random pushes before the first update.
         batch_size: Pushes an update.
