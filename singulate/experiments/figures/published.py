@@ -27,10 +27,11 @@ class Published:
     @classmethod
     def read(cls, directory: Path, figures: Sequence[str]) -> Self:
         """All that can be read there; a file that is missing or damaged tells nothing."""
-        trainings = _read_object(directory / TRAININGS_NAME)
-        runs = [run for variant in trainings.values() for run in variant]
-        summaries = {str(run["key"]): run for run in runs if "key" in run}
         data = {name: _read_object(directory / f"{name}.json") for name in figures}
+        sources = [_read_object(directory / TRAININGS_NAME)]
+        sources += [runs for each in data.values() if isinstance(runs := each.get("runs"), dict)]
+        runs = [run for variants in sources for runs in variants.values() for run in runs]
+        summaries = {str(run["key"]): run for run in runs if "key" in run}
         return cls(summaries, {name: values for name, values in data.items() if values})
 
     def has(self, cells: Sequence[Cell]) -> bool:
