@@ -1,3 +1,5 @@
+import json
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -7,6 +9,7 @@ from singulate.experiments.claims.evidence import Evidence
 from singulate.experiments.claims.registry import judge_ideas
 from singulate.experiments.figures.ideas import LINES, page
 from singulate.experiments.figures.plan import Plan
+from singulate.experiments.figures.published import Published
 
 
 def runs(*rates: float, num_steps: int = 20_000) -> list[dict[str, Any]]:
@@ -69,3 +72,12 @@ def test_the_page_has_a_verdict_on_each_idea_and_every_training() -> None:
     assert text.count("**not held**") == len(judge_ideas(Evidence({}))) - 1
     assert "success: 0.95 (0.9 to 0.99, 3 seeds)" in text
     assert all(f"| {name} | paper | 20,000 | 0, 1, 2 |" in text for name in LINES)
+
+
+def test_trainings_in_a_figures_own_file_are_known(tmp_path: Path) -> None:
+    run = {"key": "abc", "num_steps": 20_000}
+    (tmp_path / "ideas.json").write_text(json.dumps({"runs": {"variant": [run]}}))
+    (tmp_path / "fig1.json").write_text('{"runs": 3}')
+    published = Published.read(tmp_path, ("ideas", "fig1", "fig2"))
+    assert published.summaries == {"abc": run}
+    assert set(published.figures) == {"ideas", "fig1"}
