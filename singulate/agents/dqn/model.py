@@ -78,11 +78,11 @@ class GridDQN(OverlappedUpdates, DQN):
     def _update_learning_rate(
         self, optimizers: list[torch.optim.Optimizer] | torch.optim.Optimizer
     ) -> None:
-        start, end = self.config.learning_rate, self.config.final_learning_rate
+        rate, final = self.config.learning_rate, self.config.final_learning_rate
         over = self.config.anneal_steps
-        if end is not None and over is not None:
-            start = annealed(start, end, self.num_timesteps, over)
-        set_learning_rate(self, optimizers, start)
+        if final is not None and over is not None:
+            rate = annealed(rate, final, self.num_timesteps, over)
+        set_learning_rate(self, optimizers, rate)
 
     def _sample_action(
         self, learning_starts: int, action_noise: ActionNoise | None = None, n_envs: int = 1
