@@ -1,6 +1,7 @@
 """Where the pusher is at each time step of a push."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 from singulate.geometry import Poses, Push
 from singulate.simulation.approach import free_length
@@ -24,7 +25,7 @@ class PusherSchedule:
     push: Push
     physics: Physics
 
-    @property
+    @cached_property
     def num_push_steps(self) -> int:
         """Time steps along the push."""
         return self.physics.num_push_steps(self.push.length)
@@ -47,9 +48,10 @@ class PusherSchedule:
 
     def position(self, step: int) -> tuple[float, float, float]:
         """Where the pusher's centre is after a step, (x, y, z) [m]."""
-        physics, push = self.physics, self.push
-        along = push.length * min(step, self.num_push_steps) / self.num_push_steps
-        num_lifted = max(0, step - self.num_push_steps)
-        lift = physics.retract_height * num_lifted / physics.num_lift_steps
+        push, num_push_steps = self.push, self.num_push_steps
+        along = push.length * min(step, num_push_steps) / num_push_steps
         (x, y), (dx, dy) = push.start, push.direction
-        return x + along * dx, y + along * dy, physics.pusher_z + lift
+        z = self.physics.pusher_z
+        if step > num_push_steps:
+            z += self.physics.retract_height * (step - num_push_steps) / self.physics.num_lift_steps
+        return x + along * dx, y + along * dy, z
