@@ -4,9 +4,7 @@ A dashboard that ends in order asks it to save a checkpoint and stop; one that i
 running, and the next dashboard finds it.
 """
 
-import os
 import subprocess
-from contextlib import suppress
 from pathlib import Path
 from typing import Self
 
@@ -15,8 +13,6 @@ import numpy as np
 from app.snapshot import RunSnapshot
 from singulate.training.config import TrainingConfig
 from singulate.training.launcher import TrainerProcess, start_trainer
-
-_NICENESS = 5
 
 
 class Launched:
@@ -30,9 +26,6 @@ class Launched:
     def __init__(self, trainer: TrainerProcess, config: TrainingConfig | None = None) -> None:
         self._trainer = trainer
         self._config = config
-        # The page and the pushes that people make come first.
-        with suppress(OSError):
-            os.setpriority(os.PRIO_PROCESS, self.pid, os.nice(0) + _NICENESS)
 
     @classmethod
     def start(cls, config: TrainingConfig, run_dir: Path) -> Self:

@@ -130,7 +130,9 @@ def _place(index: int) -> tuple[float, float]:
 
 
 def _clicks(clicks: Sequence[ClickTimes], frame_rate: float) -> Iterator[Measurement]:
-    note = f"{len(clicks)} clicks, an agent trains, software rendering"
+    note = (
+        f"{len(clicks)} clicks, from the release of the button, an agent trains, software rendering"
+    )
     yield from _spread("click to motion in the browser", [each.motion for each in clicks], note)
     yield from _spread("click to picture", [each.picture for each in clicks], note)
     size = f"{VIEWPORT[0]} x {VIEWPORT[1]}"

@@ -30,10 +30,10 @@ _IS_READY = """() => {
 }"""
 
 _WATCH = """() => {
-    const times = (window.__clickTimes = {pressed: NaN, arrived: NaN, drawn: NaN});
+    const times = (window.__clickTimes = {released: NaN, arrived: NaN, drawn: NaN});
     window.__fieldChangedAt = performance.now();
-    addEventListener("pointerdown", (event) => {
-        Object.assign(times, {pressed: event.timeStamp, arrived: NaN, drawn: NaN});
+    addEventListener("pointerup", (event) => {
+        Object.assign(times, {released: event.timeStamp, arrived: NaN, drawn: NaN});
     }, true);
     const queue = window.__viserMutable.messageQueue;
     const push = queue.push;
@@ -85,7 +85,9 @@ _FRAMES = """(seconds) => new Promise((resolve) => {
 
 
 class ClickTimes(NamedTuple):
-    """Seconds from the press of the mouse button, in the browser's own clock.
+    """Seconds from the release of the mouse button, in the browser's own clock.
+
+    A press alone does not push: it may become an arrow, or a turn of the camera.
 
     Attributes:
         motion: Until the pusher's motion has arrived in the page.
@@ -164,10 +166,10 @@ class DashboardPage:
         page.mouse.up()
         page.wait_for_function(_HAS_MOVED, timeout=_TIMEOUT_MS)
         times = page.evaluate("() => window.__clickTimes")
-        pressed = times["pressed"]
+        released = times["released"]
         return ClickTimes(
-            (times["arrived"] - pressed) / 1e3,
-            (times["drawn"] - pressed) / 1e3,
+            (times["arrived"] - released) / 1e3,
+            (times["drawn"] - released) / 1e3,
         )
 
     def wait_for_reward_map(self) -> None:

@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 import sys
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,6 +14,8 @@ from singulate.runs.run_directory import RunDirectory
 from singulate.training.config import TrainingConfig
 
 LAUNCH_NAME = "launch.json"
+_NICENESS = 5
+"""How far a trainer stands back: the page and the pushes that people make come first."""
 
 
 @dataclass(frozen=True)
@@ -79,6 +82,8 @@ def start_trainer(
             )
     except OSError as error:
         raise RunError(f"{run_dir}: cannot be written ({error.strerror or error})") from error
+    with suppress(OSError):
+        os.setpriority(os.PRIO_PROCESS, process.pid, os.nice(0) + _NICENESS)
     return TrainerProcess(run_dir, process)
 
 

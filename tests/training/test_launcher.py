@@ -46,6 +46,7 @@ def test_a_killed_trainer_is_explained_and_its_run_goes_on(
     run_dir = tmp_path / "run"
     trainer = launch(make_config("dqn", 100_000, checkpoint_every=20), run_dir)
     assert os.getsid(trainer.process.pid) == trainer.process.pid
+    assert os.getpriority(os.PRIO_PROCESS, trainer.process.pid) == min(os.nice(0) + 5, 19)
     _wait_for_steps(trainer, 50, generation=0)
     assert trainer.death() is None
     trainer.process.kill()
