@@ -1,11 +1,8 @@
 """What one person can see of their page, so that nothing else is computed or sent."""
 
-from importlib import resources
-from string import Template
-
 import viser
-from viser import _messages
 
+from app.page_script import run_script
 from app.panels.listening import Report, listen
 from app.security.values import let_scripts_set
 from singulate.exceptions import InvalidValueError
@@ -33,11 +30,13 @@ class Sight:
         self._carrier = client.gui.add_text("Seen", told, visible=False)
         let_scripts_set(self._carrier)
         listen(self._carrier, _names, self._see, report)
-        template = Template(resources.files("app").joinpath("assets/sight.js").read_text())
-        source = template.substitute(
-            carrier=self._carrier._impl.uuid, told=told, interval_ms=_LOOK_EVERY_MS
+        run_script(
+            client,
+            "sight.js",
+            carrier=self._carrier._impl.uuid,
+            told=told,
+            interval_ms=str(_LOOK_EVERY_MS),
         )
-        client._websock_connection.queue_message(_messages.RunJavascriptMessage(source))
 
     def mark(self, tab: str) -> None:
         """Add to a tab, while it is being filled, what it is found by."""

@@ -10,8 +10,8 @@ import math
 import viser
 
 from app.aim import Aim
+from app.page_script import run_script
 from app.views.arrow_mesh import ArrowShape
-from app.views.hover import follow_pointer
 from app.views.palette import AIM_COLOUR, Colour, surface
 from singulate.geometry import Push, Workspace
 
@@ -106,7 +106,13 @@ class AimView:
             height=_AIM_HEIGHT,
             length=workspace.push_length,
         )
-        follow_pointer(client, _AIM_NODE, workspace.half_length, _AIM_HEIGHT)
+        run_script(
+            client,
+            "hover.js",
+            node=_AIM_NODE,
+            reach=f"{workspace.half_length:.6f}",
+            height=f"{_AIM_HEIGHT:.6f}",
+        )
 
     def update(self, aim: Aim, is_shown: bool) -> None:
         """Point in the aimed direction, from the aimed start until the pointer moves on."""
