@@ -19,7 +19,8 @@ class Following:
     def __init__(self, policy: PolicyLink, training: TrainingLink) -> None:
         self._policy = policy
         self._training = training
-        self._run_before: str | None = None
+        self._done_with = ""
+        """The last run started here that has been loaded, or been passed over for another one."""
 
     def choose(self, source: str) -> None:
         """Load a checkpoint directory, or with ``run`` what the watched run has learned.
@@ -27,7 +28,7 @@ class Following:
         Raises:
             InvalidValueError: If there is no such run, or it has no checkpoint yet.
         """
-        self._run_before = None
+        self._done_with = self._training.started_run
         if source != "run":
             self._policy.load(source)
             return
@@ -38,16 +39,13 @@ class Following:
             )
         self._policy.load(run.last_checkpoint, is_live=True)
 
-    def expect_new_run(self, run_before: str) -> None:
-        """Another run than this one is going to be watched, and to be followed."""
-        self._run_before = run_before
-
     def update(self) -> None:
         """Load a new checkpoint, if it is wanted."""
         run = self._training.snapshot
         if run is None or not run.last_checkpoint:
             return
-        is_expected = self._run_before is not None and run.run_dir != self._run_before
-        if self._policy.is_live or is_expected:
-            self._run_before = None
+        started_run = self._training.started_run
+        is_new = run.run_dir == started_run != self._done_with
+        if self._policy.wants_live or is_new:
+            self._done_with = started_run
             self._policy.load(run.last_checkpoint, is_live=True)

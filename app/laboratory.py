@@ -19,7 +19,6 @@ from app.commands import (
     SetScenePaused,
     SetSpeed,
     SetWatching,
-    StartTraining,
     StepScene,
     Undo,
 )
@@ -206,7 +205,7 @@ class Laboratory:
             case DismissNotice(notice_id):
                 self._notices.dismiss(notice_id)
             case _:
-                self._train(command)
+                self._training.obey(command)
 
     def _set_speed(self, factor: float) -> None:
         low, high = SPEED_RANGE
@@ -218,12 +217,6 @@ class Laboratory:
         if is_on and not self._policy.is_loaded:
             raise InvalidValueError("watching", is_on, "a loaded policy first: load or train one")
         self._watching.switch(bool(is_on))
-
-    def _train(self, command: Command) -> None:
-        run = self._training.snapshot
-        self._training.obey(command)
-        if isinstance(command, StartTraining):
-            self._following.expect_new_run(run.run_dir if run else "")
 
     def _watch(self) -> None:
         live, rest = self._scene.live, self._scene.rest

@@ -75,6 +75,11 @@ class TrainingLink:
         return self._view.runs
 
     @property
+    def started_run(self) -> str:
+        """Directory of the run that was started here last; empty where none was."""
+        return self._desk.started_run
+
+    @property
     def pid(self) -> int | None:
         """Process id of the trainer that was started here and is alive."""
         return self._desk.trainer_pid

@@ -64,6 +64,11 @@ class PolicyLink:
         return bool(self._source)
 
     @property
+    def wants_live(self) -> bool:
+        """Whether what was asked for last is of a run that is being followed."""
+        return self._wants_live
+
+    @property
     def is_loaded(self) -> bool:
         """Whether there is a policy to ask."""
         return self._loaded is not None

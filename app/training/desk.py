@@ -37,6 +37,7 @@ class TrainingDesk:
     Attributes:
         runs: Run directories, newest first.
         policies: Policies that can be loaded: (label, source).
+        started_run: Directory of the run that was started here last; empty where none was.
         stopped_run: The run that `stop_trainer` has stopped, if any; it can be continued.
 
     Raises:
@@ -54,6 +55,7 @@ class TrainingDesk:
         self._awaits_run = False
         self.runs: tuple[str, ...] = ()
         self.policies: tuple[tuple[str, str], ...] = ()
+        self.started_run = ""
         self.stopped_run: Path | None = None
         if run_dir is not None:
             self._watch_run(run_dir)
@@ -140,6 +142,7 @@ class TrainingDesk:
         config = training_config(command)
         run_dir = new_run_directory(self._runs_dir, config.agent, config.env.scenario)
         self._launched = Launched.start(config, run_dir)
+        self.started_run = str(run_dir)
         self._forget_watch()
         self._awaits_run = True
         self._listed_at = 0.0
