@@ -1,6 +1,5 @@
 """The laboratory behind the page: one place where its state lives, fed by typed commands."""
 
-import math
 import os
 import queue
 import threading
@@ -34,6 +33,7 @@ from app.snapshot import Snapshot
 from app.training_link import TrainingLink
 from app.watching import NextMove, Watching
 from singulate.exceptions import InvalidValueError, SingulateError
+from singulate.finite import is_finite_number
 from singulate.paths import default_runs_directory, shipped_checkpoints_directory
 
 FIRST_POLICY = "spatial"
@@ -209,7 +209,7 @@ class Laboratory:
 
     def _set_speed(self, factor: float) -> None:
         low, high = SPEED_RANGE
-        if not (math.isfinite(factor) and low <= factor <= high):
+        if not (is_finite_number(factor) and low <= factor <= high):
             raise InvalidValueError("speed", factor, f"{low} to {high}")
         self._scene.send(SetSpeed(float(factor)))
 

@@ -1,5 +1,6 @@
 """The main loop: laboratory in, pages out."""
 
+import contextlib
 import logging
 import queue
 import threading
@@ -101,6 +102,8 @@ class Dashboard:
                 session.update(snapshot)
         except Exception:
             self._sessions.pop(client_id, None)
+            with contextlib.suppress(Exception):
+                session.close()
             _report_failure(session.client, session.name)
 
     def _drag_block(self, index: int, event: viser.SceneNodeDragEvent[viser.BoxHandle]) -> None:

@@ -35,6 +35,10 @@ class CheckpointError(SingulateError):
     """A checkpoint is missing, truncated, tampered with or not one of ours."""
 
 
+class ResumeError(CheckpointError):
+    """Nothing of a run directory can be continued; it is left as it is."""
+
+
 class RunError(SingulateError):
     """A run directory is missing, damaged, not writable or in use by another process."""
 

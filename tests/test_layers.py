@@ -11,7 +11,7 @@ import pytest
 ROOT = Path(__file__).resolve().parent.parent
 
 LAYERS: tuple[tuple[str, ...], ...] = (
-    ("exceptions",),
+    ("exceptions", "finite"),
     ("geometry", "outcomes", "paths", "registration"),
     ("simulation", "perception"),
     ("rewards",),

@@ -1,10 +1,10 @@
 """Checks of values that arrive from browsers, which may send anything."""
 
-import math
 from collections.abc import Callable, Iterable
 from typing import TypeVar
 
 from singulate.exceptions import InvalidValueError
+from singulate.finite import is_finite_number
 
 T_co = TypeVar("T_co", covariant=True)
 Check = Callable[[object], T_co]
@@ -35,9 +35,7 @@ def number(key: str, low: float, high: float) -> Callable[[object], float]:
     """
 
     def check(value: object) -> float:
-        if isinstance(value, bool) or not isinstance(value, int | float):
-            raise InvalidValueError(key, value, f"a number from {low:g} to {high:g}")
-        if not (math.isfinite(value) and low <= value <= high):
+        if not (is_finite_number(value) and low <= value <= high):
             raise InvalidValueError(key, value, f"a number from {low:g} to {high:g}")
         return float(value)
 

@@ -9,6 +9,7 @@ import numpy as np
 from app.commands import AddBlock, ArrangeBlocks, HoldBlock, MoveBlock, ReleaseBlock, RemoveBlock
 from app.processes.free_place import free_place, nearest_free
 from singulate.exceptions import InvalidValueError
+from singulate.finite import is_finite_number
 from singulate.geometry import Block, BlockPose, Poses, Workspace, standing_pose
 from singulate.geometry.rectangle import Polygon
 from singulate.simulation.fallen import is_fallen
@@ -173,7 +174,6 @@ def _checked_place(place: object, workspace: Workspace) -> tuple[float, float]:
 
 
 def _finite(key: str, value: object) -> float:
-    is_number = isinstance(value, int | float) and not isinstance(value, bool)
-    if not (is_number and math.isfinite(value)):  # type: ignore[arg-type]
+    if not is_finite_number(value):
         raise InvalidValueError(key, value, "a finite number")
-    return float(value)  # type: ignore[arg-type]
+    return float(value)

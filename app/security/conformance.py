@@ -1,9 +1,10 @@
 """Whether decoded data has the shape that a type annotation promises."""
 
-import math
 import types
 from collections.abc import Callable, Mapping
 from typing import Any, Literal, Union, get_args, get_origin
+
+from singulate.finite import is_finite_number
 
 MAX_TEXT = 10_000
 MAX_MAGNITUDE = 1e9
@@ -32,12 +33,7 @@ def conforms(value: object, annotation: Any) -> bool:
 
 def is_number(value: object) -> bool:
     """Whether a value is a finite number of sane size, and no bool."""
-    return (
-        isinstance(value, int | float)
-        and not isinstance(value, bool)
-        and math.isfinite(value)
-        and abs(value) <= MAX_MAGNITUDE
-    )
+    return is_finite_number(value) and abs(value) <= MAX_MAGNITUDE
 
 
 def is_whole(value: object) -> bool:

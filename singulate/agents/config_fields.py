@@ -1,11 +1,11 @@
 """Checks that every agent's configuration shares."""
 
-import math
 from collections.abc import Mapping
 from dataclasses import fields
 from typing import Any, TypeVar
 
 from singulate.exceptions import InvalidValueError
+from singulate.finite import is_finite_number
 
 ConfigT = TypeVar("ConfigT")
 
@@ -40,8 +40,7 @@ def check_int(key: str, value: object, low: int, high: int = 10_000_000) -> None
 
 def check_number(key: str, value: object, low: float, high: float) -> None:
     """Raise InvalidValueError unless `value` is a finite number in [low, high]."""
-    is_number = isinstance(value, int | float) and not isinstance(value, bool)
-    if not is_number or not math.isfinite(value) or not low <= value <= high:  # type: ignore[arg-type, operator]
+    if not is_finite_number(value) or not low <= value <= high:
         raise InvalidValueError(key, value, f"a number from {low:g} to {high:g}")
 
 

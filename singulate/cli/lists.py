@@ -60,5 +60,5 @@ def parse_setting(option: str, text: str) -> tuple[str, Any]:
         raise InvalidValueError(option, text, "KEY=VALUE")
     try:
         return key, json.loads(value)
-    except ValueError:
+    except (ValueError, RecursionError):
         return key, value

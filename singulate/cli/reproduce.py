@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
 
+FIGURES_DIRECTORY = Path("static/figures")
+QUICK_DIRECTORY = Path("runs/reproduce/quick")
+
 
 def add_parser(subparsers: "Subparsers") -> None:
     """Add the command to a parser."""
@@ -51,7 +54,9 @@ def add_parser(subparsers: "Subparsers") -> None:
         help="minutes instead of hours: one seed, one update of PPO; proves nothing",
     )
     parser.add_argument(
-        "--no-training", action="store_true", help="draw and judge what is finished"
+        "--no-training",
+        action="store_true",
+        help="draw and judge what is finished, or has its numbers in --out",
     )
     parser.add_argument(
         "--reuse",
@@ -59,7 +64,10 @@ def add_parser(subparsers: "Subparsers") -> None:
         help="do not repeat trainings whose numbers lie in --out already",
     )
     parser.add_argument(
-        "--out", type=Path, default=Path("static/figures"), metavar="DIR", help="(%(default)s)"
+        "--out",
+        type=Path,
+        metavar="DIR",
+        help=f"({FIGURES_DIRECTORY}; with --quick {QUICK_DIRECTORY}, which proves nothing either)",
     )
     parser.add_argument(
         "--runs",
@@ -85,9 +93,12 @@ def _run(args: argparse.Namespace) -> int:
         if args.workers is not None:
             raise InvalidValueError("--workers", args.workers, "nothing beside --jobs")
         args.workers = args.jobs
+    if args.out is None:
+        args.out = QUICK_DIRECTORY if args.quick else FIGURES_DIRECTORY
     check_directory_target("out", args.out)
     check_directory_target("runs", args.runs)
-    published = Published.read(args.out, list(FIGURES)) if args.reuse else Published()
+    is_reusing = args.reuse or args.no_training
+    published = Published.read(args.out, list(FIGURES)) if is_reusing else Published()
     began = time.monotonic()
     with engine_of(args, niceness=5, hang_timeout_s=float("inf")) as engine, StepBars() as bars:
         made = reproduce(

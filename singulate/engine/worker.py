@@ -28,18 +28,20 @@ def _serve(connection: Connection) -> None:
     tools = ToolBox()
     inbox: deque[RunTask] = deque()
     while True:
-        dropped: set[int] = set()
         while not inbox or connection.poll():
             message = connection.recv()
             if isinstance(message, DropBatch):
-                dropped.add(message.batch_id)
+                _drop(connection, inbox, message.batch_id)
             else:
                 inbox.append(message)
-        task = inbox.popleft()
-        if task.key.batch_id in dropped:
-            connection.send(Finished(task.key, None, "cancelled"))
-        else:
-            _answer(connection, task, tools)
+        _answer(connection, inbox.popleft(), tools)
+
+
+def _drop(connection: Connection, inbox: deque[RunTask], batch_id: int) -> None:
+    """Answer all waiting tasks of a batch without running them; no more of it will come."""
+    for task in [task for task in inbox if task.key.batch_id == batch_id]:
+        inbox.remove(task)
+        connection.send(Finished(task.key, None, "cancelled"))
 
 
 def _answer(connection: Connection, task: RunTask, tools: ToolBox) -> None:

@@ -1,7 +1,6 @@
 """What defines an environment, checked on the way in."""
 
 import dataclasses
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Self
@@ -9,6 +8,7 @@ from typing import Self
 from singulate.envs.actions import ACTION_ENCODINGS
 from singulate.envs.observations import OBSERVATIONS
 from singulate.exceptions import InvalidValueError
+from singulate.finite import is_finite_number
 from singulate.rewards import make_reward
 from singulate.simulation import make_scenario
 
@@ -50,8 +50,7 @@ class EnvConfig:
         if pushes is not None and not (is_count and 1 <= pushes <= MAX_PUSHES_LIMIT):
             raise InvalidValueError("max_pushes", pushes, f"1 to {MAX_PUSHES_LIMIT}, or None")
         goal = self.goal_separation
-        is_number = isinstance(goal, int | float) and not isinstance(goal, bool)
-        if not (is_number and math.isfinite(goal) and 0.0 < goal <= 1.0):
+        if not (is_finite_number(goal) and 0.0 < goal <= 1.0):
             raise InvalidValueError("goal_separation", goal, "more than 0, at most 1 [m]")
         if not isinstance(self.exact, bool):
             raise InvalidValueError("exact", self.exact, "true or false")

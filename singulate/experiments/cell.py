@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 from singulate.agents.autoencoder.config import AutoencoderConfig
-from singulate.exceptions import CheckpointError, RunError
+from singulate.exceptions import ResumeError, RunError
 from singulate.runs import RunDirectory
 from singulate.runs.lock import lock_holder
 from singulate.training.config import TrainingConfig
@@ -103,7 +103,7 @@ def run_cell(_tool: object, task: CellTask) -> CellResult:
     """Train, or go on where a training was interrupted, and evaluate.
 
     Raises:
-        CheckpointError: If the autoencoder cannot be written.
+        CheckpointError: If the autoencoder or a checkpoint cannot be written.
         RunError: If somebody stopped the training, or another process does not let go of it.
     """
     from singulate.agents.loading import load_policy
@@ -147,7 +147,7 @@ def _train(config: TrainingConfig, run_dir: Path) -> "TrainingResult":
         return train(config, run_dir)
     try:
         return train(config, run_dir, resume=True)
-    except CheckpointError:  # nothing of it can be continued
+    except ResumeError:
         shutil.rmtree(run_dir)
         return train(config, run_dir)
 

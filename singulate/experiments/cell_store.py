@@ -7,7 +7,7 @@ from singulate.agents.autoencoder.config import AutoencoderConfig
 from singulate.checkpoints.durable import replace_file
 from singulate.exceptions import RunError
 from singulate.experiments.cell import Cell, CellResult, CellTask
-from singulate.runs import read_status
+from singulate.runs import RunDirectory, read_status
 from singulate.runs.json_text import parse_json_object
 
 
@@ -46,6 +46,13 @@ class CellStore:
         except (OSError, ValueError, KeyError, TypeError):
             return None
         return result if content.get("key") == cell.key else None
+
+    def has_run(self, cell: Cell) -> bool:
+        """Whether a cell is finished and its run can be read from here.
+
+        Without a file system that all nodes of a cluster share, a run stays where it was made.
+        """
+        return self.read(cell) is not None and RunDirectory(self.run_dir(cell)).is_run
 
     def write(self, cell: Cell, result: CellResult) -> None:
         """Record that a cell is finished.

@@ -79,7 +79,7 @@ def reproduce(
         data = _published(figure, sources)
         if data is None and with_training:
             _train(figure.name, figure.variants, sources, made, on_progress)
-        data = data or figure.measure(sources)
+        data = data or _with_published_seeds(figure, figure.measure(sources), sources)
         if data is None:
             made.unfinished.append(figure.name)
             continue
@@ -97,6 +97,23 @@ def _published(figure: PaperFigure, sources: Sources) -> Data | None:
     cells = [cell for name in figure.variants for cell in ALL_VARIANTS[name].cells(sources.plan)]
     is_known = bool(cells) and sources.published.has(cells)
     return sources.published.figures.get(figure.name) if is_known else None
+
+
+def _with_published_seeds(figure: PaperFigure, data: Data | None, sources: Sources) -> Data | None:
+    """Add to what was measured of each seed what is published of seeds whose trainings are gone."""
+    published = sources.published.figures.get(figure.name, {})
+    cells = [cell for name in figure.variants for cell in ALL_VARIANTS[name].cells(sources.plan)]
+    gone = {
+        cell.training.seed
+        for cell in cells
+        if sources.published.has([cell]) and not sources.store.has_run(cell)
+    }
+    kept = [seed for seed in published.get("seeds", []) if seed["seed"] in gone]
+    if not kept:
+        return data
+    measured = data["seeds"] if data is not None else []
+    seeds = sorted([*kept, *measured], key=lambda seed: int(seed["seed"]))
+    return {**(published if data is None else data), "seeds": seeds}
 
 
 def _train(

@@ -1,5 +1,6 @@
 """All runs of a directory."""
 
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -47,7 +48,7 @@ def summarise_run(run_dir: Path) -> RunSummary:
 
 
 def list_runs(directory: Path) -> list[RunSummary]:
-    """Runs directly inside a directory, newest first.
+    """Runs directly inside a directory, newest first; one that is just being deleted is left out.
 
     Args:
         directory: For example `singulate.paths.default_runs_directory`; missing is no error.
@@ -58,8 +59,13 @@ def list_runs(directory: Path) -> list[RunSummary]:
     if not directory.exists():
         return []
     try:
-        runs = [run for run in map(RunDirectory, directory.iterdir()) if run.is_run]
-        runs.sort(key=lambda run: (run.config_path.stat().st_mtime, run.path.name), reverse=True)
+        paths = [path for path in directory.iterdir() if not path.name.startswith(".")]
     except OSError as error:
         raise RunError(f"{directory}: cannot be read ({error.strerror or error})") from error
-    return [summarise_run(run.path) for run in runs]
+    found = []
+    for path in paths:
+        with suppress(OSError, RunError):
+            created = RunDirectory(path).config_path.stat().st_mtime
+            found.append((created, path.name, summarise_run(path)))
+    found.sort(key=lambda run: run[:2], reverse=True)
+    return [summary for *_, summary in found]

@@ -1,7 +1,6 @@
 """How a run is doing, and whether its trainer is still there to say so."""
 
 import json
-import math
 import socket
 import time
 from dataclasses import asdict, dataclass, fields, replace
@@ -10,6 +9,7 @@ from typing import Any, Literal, get_args
 
 from singulate.checkpoints.durable import replace_file
 from singulate.exceptions import RunError
+from singulate.finite import is_finite_number
 from singulate.runs.json_text import parse_json_object
 from singulate.runs.lock import lock_holder
 from singulate.runs.run_directory import RunDirectory
@@ -95,7 +95,7 @@ def read_status(run_dir: Path, now: float | None = None) -> RunStatus:
     now = time.time() if now is None else now
     holder = lock_holder(run_dir)
     if not run.status_path.exists():
-        created = run.config_path.stat().st_mtime
+        created = _created(run)
         status = RunStatus(pid=holder or 0, host=socket.gethostname(), updated_at=created)
         is_alive = holder is not None or now - created < STARTUP_GRACE_S
     else:
@@ -110,6 +110,13 @@ def read_status(run_dir: Path, now: float | None = None) -> RunStatus:
     if is_alive:
         return replace(status, is_alive=True)
     return replace(status, state="died", error=_reason(run, status, now))
+
+
+def _created(run: RunDirectory) -> float:
+    try:
+        return run.config_path.stat().st_mtime
+    except OSError as error:
+        raise RunError(f"{run.path}: cannot be read ({error.strerror or error})") from error
 
 
 def log_tail(run_dir: Path, num_lines: int = 1) -> list[str]:
@@ -153,5 +160,5 @@ def _is_valid(name: str, value: Any) -> bool:
         return value is False
     if name == "eta_s" and value is None:
         return True
-    kind = int if name in ("pid", "num_steps", "total_steps") else int | float
-    return isinstance(value, kind) and not isinstance(value, bool) and math.isfinite(value)
+    is_whole = isinstance(value, int) or name not in ("pid", "num_steps", "total_steps")
+    return is_whole and is_finite_number(value)

@@ -72,17 +72,18 @@ class Controls:
         """Return when training shall go on or stop, or when a checkpoint is asked for."""
         with self._changed:
             while self.is_pausing and not self._wants_checkpoint:
-                if self._heartbeat.status.state != "paused":
-                    self._heartbeat.update(state="paused", pushes_per_second=0.0, eta_s=None)
-                self._changed.wait(timeout=1.0)
+                self._rest()
 
     def wait_for_resume(self) -> None:
         """Return when training shall go on or stop; for where no checkpoint can be saved."""
-        while self.is_pausing:
-            self.wait_while_paused()
-            with self._changed:
-                if self.is_pausing:
-                    self._changed.wait(timeout=POLL_INTERVAL_S)
+        with self._changed:
+            while self.is_pausing:
+                self._rest()
+
+    def _rest(self) -> None:
+        if self._heartbeat.status.state != "paused":
+            self._heartbeat.update(state="paused", pushes_per_second=0.0, eta_s=None)
+        self._changed.wait(timeout=1.0)
 
     def __enter__(self) -> Self:
         self._inbox.clear()

@@ -3,7 +3,7 @@
 from stable_baselines3.common.base_class import BaseAlgorithm
 
 from singulate.checkpoints import list_checkpoints, read_checkpoint
-from singulate.exceptions import CheckpointError
+from singulate.exceptions import CheckpointError, ResumeError
 from singulate.runs import RunDirectory, RunReader
 from singulate.training.envs import TrainingEnvs
 from singulate.training.training_state import restore_training
@@ -16,13 +16,16 @@ def resume_training(model: BaseAlgorithm, envs: TrainingEnvs, run: RunDirectory)
         The step that it was saved at, 0 where the run has neither pushes nor checkpoints.
 
     Raises:
-        CheckpointError: If there is something to continue but no intact checkpoint of it, or the
+        ResumeError: If there is something to continue but no intact checkpoint of it, or the
             checkpoint does not fit.
         RunError: If the record is damaged.
     """
     newest = run.latest_checkpoint()
     if newest is not None:
-        restore_training(model, envs, read_checkpoint(newest).files)
+        try:
+            restore_training(model, envs, read_checkpoint(newest).files)
+        except CheckpointError as error:
+            raise ResumeError(str(error)) from error
     else:
         _refuse_to_start_over(run)
     return model.num_timesteps
@@ -36,7 +39,7 @@ def _refuse_to_start_over(run: RunDirectory) -> None:
         reader.close()
     num_checkpoints = len(list_checkpoints(run.checkpoints_path))
     if num_pushes or num_checkpoints:
-        raise CheckpointError(
+        raise ResumeError(
             f"{run.checkpoints_path}: none of {num_checkpoints} checkpoints is intact, the "
             f"{num_pushes} recorded pushes cannot be continued; put a copy of a checkpoint back, "
             "or train in a new directory"

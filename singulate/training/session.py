@@ -219,16 +219,19 @@ class TrainingSession:
         return last < 0 or step // every > last // every
 
     def _save_or_pause(self) -> None:
+        error = self.last_commit()
         try:
-            self.save_checkpoint()
-            if self.heartbeat.status.error:
-                self.heartbeat.update(error="")
-        except CheckpointError as error:
+            if not error or self.controls.is_stopping:
+                self.save_checkpoint()
+        except CheckpointError as failure:
             if self.controls.is_stopping:
                 raise
-            self.record_event("checkpoint_failed", reason=str(error))
-            self.heartbeat.update(error=str(error))
+            error = str(failure)
+            self.record_event("checkpoint_failed", reason=error)
+        if error:
             self.controls.request("pause")
+        if error != self.heartbeat.status.error:
+            self.heartbeat.update(error=error)
 
     def _go_on(self) -> None:
         """After a pause: write what could not be written, or pause again."""

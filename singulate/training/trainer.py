@@ -61,8 +61,10 @@ def train(
             another process, or is not writable; also if the last rows could not be recorded, after
             the last checkpoint was saved.
         WorkerError: If an environment in a worker failed, or workers cannot be kept alive.
-        CheckpointError: If none of the run's checkpoints is intact, or it does not fit; the record
-            and the settings are then as before. Also if the encoder of a new run cannot be read.
+        ResumeError: If none of the run's checkpoints is intact, or it does not fit; the record
+            and the settings are then as before.
+        CheckpointError: If a checkpoint cannot be written, or the encoder of a new run cannot be
+            read.
     """
     run = RunDirectory(run_dir)
     if resume:

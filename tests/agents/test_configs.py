@@ -56,6 +56,7 @@ def test_settings_survive_json_like_values(name: str) -> None:
         ("ppo", "n_steps", 0),
         ("ppo", "batch_size", 4096),
         ("ppo", "gamma", math.inf),
+        ("ppo", "gamma", 10**400),
         ("ppo", "speed", 3),
         ("multimodal-ppo", "learning_rate", -1.0),
         ("multimodal-ppo", "final_learning_rate", math.nan),

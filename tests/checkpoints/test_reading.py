@@ -67,6 +67,12 @@ def newer_manifest(path: Path) -> None:
     (path / "manifest.json").write_text(json.dumps({**content, "format_version": 99}))
 
 
+def overflow_in_manifest(path: Path) -> None:
+    content = json.loads((path / "manifest.json").read_text())
+    text = json.dumps({**content, "step": "STEP"}).replace('"STEP"', "1e999")
+    (path / "manifest.json").write_text(text)
+
+
 def change_extra_file(path: Path) -> None:
     (path / "training_state.json").write_text('{"num_updates": 9}')
 
@@ -94,6 +100,7 @@ DAMAGES = [
     (binary_manifest, "not valid JSON"),
     (foreign_manifest, "not the manifest of a singulate checkpoint"),
     (newer_manifest, "format version 99 is unknown; known: 1"),
+    (overflow_in_manifest, "damaged or changed"),
     (change_extra_file, "training_state.json: damaged or changed"),
     (pipe_for_weights, "bytes instead of|not a regular file"),
     (directory_for_weights, "cannot be read|not a regular file"),

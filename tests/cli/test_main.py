@@ -52,6 +52,7 @@ def test_every_command_has_help_and_speaks_json(
         (("train", "--agent", "dqn", "--action", "point"), "grid for dqn"),
         (("train", "--agent", "dqn", "--set", "depth=3"), "depth"),
         (("train", "--agent", "dqn", "--set", "gamma"), "KEY=VALUE"),
+        (("train", "--agent", "dqn", "--set", "gamma=" + "[" * 100_000), "gamma"),
         (("train", "--resume", "nowhere"), "nowhere"),
         (("train", "--resume", "nowhere", "--agent", "dqn"), "nothing beside --resume"),
         (("train", "--config", "nowhere.json"), "nowhere.json"),

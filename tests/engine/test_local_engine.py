@@ -73,6 +73,16 @@ def test_a_hung_worker_is_replaced() -> None:
         assert "SIGKILL" in result.error
 
 
+def test_no_task_of_a_batch_runs_that_was_cancelled_while_its_worker_started() -> None:
+    with LocalEngine(num_workers=1, cancel_grace_s=60.0) as engine:
+        batch = engine.submit(tasks.sleep, [60.0, 60.0], object)
+        time.sleep(0.03)  # the tasks are on their way to a worker that is not there yet
+        batch.cancel()
+        began = time.monotonic()
+        assert [r.value for r in engine.submit(tasks.square, [4], object)] == [16]
+        assert time.monotonic() - began < 30.0
+
+
 def test_a_worker_that_ignores_a_cancel_is_replaced() -> None:
     with LocalEngine(num_workers=1, cancel_grace_s=0.2) as engine:
         list(engine.submit(tasks.square, [1], object))

@@ -4,7 +4,7 @@ from singulate.envs import EnvConfig
 from singulate.exceptions import InvalidValueError
 
 
-@pytest.mark.parametrize("goal", [True, "0.1", None, 0.0, 1.1, float("nan")])
+@pytest.mark.parametrize("goal", [True, "0.1", None, 0.0, 1.1, float("nan"), 10**400])
 def test_the_goal_separation_is_a_number_in_range(goal: object) -> None:
     with pytest.raises(InvalidValueError, match="goal_separation: "):
         EnvConfig(goal_separation=goal)  # type: ignore[arg-type]

@@ -109,5 +109,26 @@ def test_numbers_of_other_trainings_are_not_taken(
     assert json.loads(capsys.readouterr().out)["unfinished"] == ["fig4", "fig5"]
 
 
+def test_seeds_that_are_published_stay_when_others_are_asked_for(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    figures = Path(__file__).parents[2] / "static" / "figures"
+    shutil.copytree(figures, tmp_path / "figures")
+    more = ("--seeds", "0-4", "--no-training", "--jobs", "1", "--json")
+    assert reproduce(tmp_path, "fig5", "fig6", *more) == 0
+    assert json.loads(capsys.readouterr().out)["unfinished"] == []
+    for name in ("fig5", "fig6"):
+        assert read_json(tmp_path / "figures", name) == read_json(figures, name)
+
+
+def test_quick_trials_leave_the_committed_figures_alone(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["reproduce", "fig1", "--quick", "--jobs", "1"]) == 0
+    assert not (tmp_path / "static").exists()
+    assert (tmp_path / "runs" / "reproduce" / "quick" / "fig1.png").is_file()
+
+
 def read_json(directory: Path, name: str) -> object:
     return json.loads((directory / f"{name}.json").read_text())

@@ -7,19 +7,23 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, nullcontext
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from arro3.io import read_parquet
 from PIL import Image
 
+from singulate.checkpoints.durable import replace_file
 from singulate.cli import main
 from singulate.engine import Engine, LocalEngine
-from singulate.experiments.cell import Cell
+from singulate.exceptions import CheckpointError
+from singulate.experiments.cell import Cell, CellTask, run_cell
 from singulate.experiments.cell_store import CellStore
 from singulate.experiments.grid import make_cells
 from singulate.experiments.run_cells import run_cells
-from singulate.runs import RunReader
+from singulate.runs import RunDirectory, RunReader
+from singulate.training.trainer import train
 
 SMALL = ("--set", "learning_starts=5", "--set", "batch_size=8", "--set", "net_arch=[8]")
 SWEEP = ("sweep", "--scenarios", "fixed-2", "--episodes", "6", *SMALL)
@@ -165,3 +169,21 @@ def test_bad_options_are_one_line_and_nothing_is_trained(
     assert text in error
     assert error.count("\n") == 1
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_checkpoint_that_cannot_be_written_costs_no_earlier_one(tmp_path: Path) -> None:
+    (cell,) = small_cells(60, 1)
+    task = CellTask(cell, str(tmp_path / "run"))
+    interrupted = replace(cell.training, total_timesteps=20)
+    train(interrupted, tmp_path / "run")
+    run = RunDirectory(tmp_path / "run")
+    replace_file(run.config_path, json.dumps(cell.training.to_dict()).encode())
+    foreign = run.checkpoint_path(60)
+    foreign.mkdir()
+    (foreign / "notes.txt").touch()
+    with pytest.raises(CheckpointError, match="is not a checkpoint"):
+        run_cell(None, task)
+    assert run.latest_checkpoint() == run.checkpoint_path(20)
+    (foreign / "notes.txt").unlink()
+    foreign.rmdir()
+    assert run_cell(None, task).num_steps == 60

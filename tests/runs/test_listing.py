@@ -11,6 +11,7 @@ def test_runs_newest_first_with_the_damaged_ones(tmp_path: Path) -> None:
     (tmp_path / "middle" / "status.json").write_text("{")
     (tmp_path / "not a run").mkdir()
     (tmp_path / "file").touch()
+    RunDirectory(tmp_path / ".old.0123.deleted").create({"agent": "left over"})
     summaries = list_runs(tmp_path)
     assert [summary.name for summary in summaries] == ["new", "middle", "old"]
     assert [summary.status is None for summary in summaries] == [False, True, False]

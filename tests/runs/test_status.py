@@ -93,6 +93,7 @@ def test_a_trainer_on_another_machine_is_judged_by_its_heartbeat(run_dir: Path) 
         {"state": "died"},
         {"pid": "1"},
         {"num_steps": 1.5},
+        {"eta_s": 10**400},
         {"pushes_per_second": True},
         {"updated_at": None},
         {"unknown": 1},

@@ -28,9 +28,13 @@ def test_a_blocked_record_pauses_until_it_can_be_written(
     with _blocked_record(run_dir):
         _wait(lambda: read_status(run_dir).state == "paused")
         assert "record.sqlite: cannot be written" in read_status(run_dir).error
+        saved = RunDirectory(run_dir).latest_checkpoint()
+        send_control(run_dir, "checkpoint")
         send_control(run_dir, "resume")
         time.sleep(1.0)
         _wait(lambda: read_status(run_dir).state == "paused")
+        assert "record.sqlite: cannot be written" in read_status(run_dir).error
+        assert RunDirectory(run_dir).latest_checkpoint() == saved
     paused_at = read_status(run_dir).num_steps
     send_control(run_dir, "resume")
     _wait(lambda: RunReader(run_dir).last_step() > paused_at + 5)

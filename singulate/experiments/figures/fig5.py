@@ -38,7 +38,7 @@ def measure(sources: Sources) -> Data | None:
     seeds: list[Any] = []
     truth: npt.NDArray[np.float32] = np.empty(0, np.float32)
     for cell in variant.cells(sources.plan):
-        if sources.store.read(cell) is None:
+        if not sources.store.has_run(cell):
             continue
         policy = load_policy(sources.store.run_dir(cell))
         assert isinstance(policy, HasQMap)

@@ -38,7 +38,7 @@ def measure(sources: Sources) -> Data | None:
     layout = make_scenario(variant.env.scenario).sample(np.random.default_rng(0), Workspace())
     seeds = []
     for cell in variant.cells(sources.plan):
-        if sources.store.read(cell) is not None:
+        if sources.store.has_run(cell):
             total, run_dir = cell.training.total_timesteps, sources.store.run_dir(cell)
             moments = [total * (i + 1) // NUM_MOMENTS for i in range(NUM_MOMENTS)]
             seeds.append({"seed": cell.training.seed,

@@ -30,8 +30,9 @@ class Published:
         data = {name: _read_object(directory / f"{name}.json") for name in figures}
         sources = [_read_object(directory / TRAININGS_NAME)]
         sources += [runs for each in data.values() if isinstance(runs := each.get("runs"), dict)]
-        runs = [run for variants in sources for runs in variants.values() for run in runs]
-        summaries = {str(run["key"]): run for run in runs if "key" in run}
+        lists = [runs for variants in sources for runs in variants.values()]
+        runs = [run for each in lists if isinstance(each, list) for run in each]
+        summaries = {run["key"]: run for run in runs if isinstance(run, dict) and "key" in run}
         return cls(summaries, {name: values for name, values in data.items() if values})
 
     def has(self, cells: Sequence[Cell]) -> bool:

@@ -22,7 +22,7 @@ def summarise(names: Iterable[str], sources: Sources) -> Summaries:
 
 
 def summarise_variant(name: str, sources: Sources) -> list[Summary]:
-    """One entry for each finished seed.
+    """One entry for each finished seed whose run can be read from here, or that is published.
 
     Returns:
         Each with ``key`` (`Cell.key`), ``seed``, ``num_steps``, ``success_rate`` on unseen scenes
@@ -39,7 +39,7 @@ def summarise_variant(name: str, sources: Sources) -> list[Summary]:
 
 def _summary(cell: Cell, store: CellStore) -> Summary | None:
     result = store.read(cell)
-    if result is None:
+    if result is None or not store.has_run(cell):
         return None
     return {
         "key": cell.key,

@@ -12,7 +12,7 @@ def test_texts_that_are_not_offered_are_refused(value: object):
         one_of("letter", ("a", "b"))(value)
 
 
-@pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, 1e9, -0.1, "1", None, True])
+@pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, 1e9, 10**400, "1", None, True])
 def test_numbers_out_of_range_are_refused(value: object):
     with pytest.raises(InvalidValueError, match="a number from 0 to 8"):
         number("speed", 0.0, 8.0)(value)
