@@ -42,6 +42,9 @@ def add_parser(subparsers: "Subparsers") -> None:
     )
     parser.add_argument("--threads", type=int, default=1, help="threads of torch (%(default)s)")
     parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="where to put it")
+    parser.add_argument(
+        "--overwrite", action="store_true", help="replace a checkpoint that is there already"
+    )
     parser.add_argument("--json", action="store_true", help="print JSON")
     parser.set_defaults(run=_run)
 
@@ -52,7 +55,7 @@ def _run(args: argparse.Namespace) -> int:
     )
     check_int("unseen", args.unseen, 1, 1_000_000)
     check_int("threads", args.threads, 1, 256)
-    check_checkpoint_target("out", args.out)
+    check_checkpoint_target("out", args.out, may_overwrite=args.overwrite)
     import torch
 
     from singulate.agents.autoencoder.training import make_autoencoder

@@ -67,6 +67,9 @@ def add_parser(subparsers: "Subparsers") -> None:
         metavar="DIR",
         help="also copy the weights there, with a README of what was measured",
     )
+    parser.add_argument(
+        "--overwrite", action="store_true", help="replace a checkpoint that is there already"
+    )
     parser.add_argument("--json", action="store_true", help="print JSON")
     parser.set_defaults(run=_run)
 
@@ -104,6 +107,8 @@ def _run(args: argparse.Namespace) -> int:
         print(json.dumps({**about, **evaluation.to_dict()}))
     else:
         _print_text(about, evaluation)
+        if args.publish is not None:
+            print(f"Published: {args.publish}")
     return 0
 
 
@@ -114,7 +119,7 @@ def _check_publishing(args: argparse.Namespace) -> None:
         if value is not None:
             option = "--" + name.replace("_", "-")
             raise InvalidValueError(option, value, "nothing beside --publish")
-    check_checkpoint_target("publish", args.publish)
+    check_checkpoint_target("publish", args.publish, may_overwrite=args.overwrite)
 
 
 def _evaluate(

@@ -3,7 +3,7 @@
 import json
 import shlex
 from collections.abc import Mapping
-from dataclasses import fields, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,6 +17,10 @@ from singulate.training.config import TrainingConfig
 if TYPE_CHECKING:
     from singulate.evaluation import Evaluation
 
+_ENV_OPTIONS = ("observation", "action", "reward", "max_pushes", "goal_separation")
+_OFFLINE_ENV_OPTIONS = ("observation", "action")
+"""The rest of the task is the data set's."""
+
 README = """# {name}
 
 A `{agent}` agent for `{scenario}`, {steps:,} pushes of training.
@@ -25,7 +29,7 @@ A `{agent}` agent for `{scenario}`, {steps:,} pushes of training.
 |---|---|---|---|---|
 {rows}
 
-Trained with
+Trained with{stopped}
 
     {train_command}
 
@@ -35,7 +39,7 @@ and measured (goal {goal:g} m, at most {max_pushes} push{plural} an episode) wit
 
 The scenes are drawn with seeds that no training uses (a `fixed` scenario has one scene only).
 
-Load it with `singulate.load_policy("checkpoints/{name}")`. It holds weights alone: to train
+Load it with `singulate.load_policy("{directory}")`. It holds weights alone: to train
 further, train anew with the command above.
 """
 
@@ -63,7 +67,7 @@ def publish(source: Path, directory: Path, measured: Mapping[str, "Evaluation"],
         "evaluation_seed": seed,
         "measured": {name: evaluation.to_dict() for name, evaluation in measured.items()},
     }
-    readme = _readme(directory.name, config, checkpoint.manifest.step, measured, seed)
+    readme = _readme(directory, config, checkpoint.manifest.step, measured, seed)
     manifest = replace(checkpoint.manifest, notes=notes)
     return save_checkpoint(directory, checkpoint.tensors, manifest, {"README.md": readme.encode()})
 
@@ -83,13 +87,19 @@ def run_config(source: Path) -> TrainingConfig:
 
 def train_command(config: TrainingConfig) -> str:
     """The command line that trains the same agent again."""
-    words = ["singulate train", f"--agent {config.agent}", f"--scenario {config.env.scenario}"]
+    words = ["singulate train", f"--agent {config.agent}"]
+    if config.dataset is None:
+        words.append(f"--scenario {config.env.scenario}")
+    else:
+        words.append(f"--dataset {shlex.quote(config.dataset)}")
     words += [f"--steps {config.total_timesteps}", f"--seed {config.seed}"]
+    if config.num_envs > 1:
+        words.append(f"--envs {config.num_envs}")
     plain = EnvConfig(config.env.scenario, action=agent_kind(config.agent).actions[0])
-    for field in fields(EnvConfig):
-        value = getattr(config.env, field.name)
-        if value != getattr(plain, field.name):
-            words.append(f"--{field.name.replace('_', '-')} {value}")
+    for name in _ENV_OPTIONS if config.dataset is None else _OFFLINE_ENV_OPTIONS:
+        value = getattr(config.env, name)
+        if value != getattr(plain, name):
+            words.append(f"--{name.replace('_', '-')} {value}")
     plain_agent = TrainingConfig(config.agent, config.env, 1).agent_config
     for name, value in config.agent_config.items():
         if value != plain_agent.get(name):
@@ -102,12 +112,19 @@ def _as_typed(value: object) -> str:
 
 
 def _readme(
-    name: str, config: TrainingConfig, steps: int, measured: Mapping[str, "Evaluation"], seed: int
+    directory: Path,
+    config: TrainingConfig,
+    steps: int,
+    measured: Mapping[str, "Evaluation"],
+    seed: int,
 ) -> str:
     episodes = next(iter(measured.values())).num_episodes
     max_pushes = config.env.push_limit
+    is_stopped = steps < config.total_timesteps
     return README.format(
-        name=name,
+        name=directory.name,
+        directory=directory.as_posix(),
+        stopped=f", of which this is the checkpoint after {steps:,} pushes" if is_stopped else "",
         agent=config.agent,
         scenario=config.env.scenario,
         steps=steps,
@@ -117,7 +134,7 @@ def _readme(
         goal=config.env.goal_separation,
         max_pushes=max_pushes,
         plural="" if max_pushes == 1 else "es",
-        evaluate_command=f"singulate evaluate checkpoints/{name} --episodes {episodes} "
+        evaluate_command=f"singulate evaluate {directory.as_posix()} --episodes {episodes} "
         f"--seed {seed}",
     )
 

@@ -11,10 +11,12 @@ def check_file_target(key: str, path: Path) -> None:
     """Check that a file can be put there.
 
     Raises:
-        InvalidValueError: If it is a directory, or its directory is missing or not writable.
+        InvalidValueError: If it is a directory or a device, or its directory is missing or not
+            writable.
     """
-    if path.is_dir():
-        raise InvalidValueError(key, str(path), "a file, this is a directory")
+    if path.exists() and not path.is_file():
+        what = "directory" if path.is_dir() else "device or a pipe"
+        raise InvalidValueError(key, str(path), f"a file, this is a {what}")
     if not path.parent.is_dir():
         raise InvalidValueError(key, str(path), "a file in a directory that exists")
     _check_writable(key, path, path.parent)
@@ -34,14 +36,23 @@ def check_directory_target(key: str, path: Path) -> None:
     _check_writable(key, path, path)
 
 
-def check_checkpoint_target(key: str, path: Path) -> None:
+def check_checkpoint_target(key: str, path: Path, *, may_overwrite: bool) -> None:
     """Check that a checkpoint can be put there; missing parents would be made.
 
+    Args:
+        key: What was set, as the user knows it.
+        path: Where it shall go.
+        may_overwrite: Whether a checkpoint that is there may be replaced.
+
     Raises:
-        InvalidValueError: If it cannot be written.
+        InvalidValueError: If it cannot be written, or a checkpoint that may not be replaced is
+            there.
         CheckpointError: If something that is no checkpoint stands there.
     """
     check_replaceable(path)
+    if not may_overwrite and path.is_dir() and any(path.iterdir()):
+        allowed = "a new directory, or --overwrite to replace the checkpoint that is there"
+        raise InvalidValueError(key, str(path), allowed)
     _check_writable(key, path, next(p for p in path.absolute().parents if p.exists()))
 
 

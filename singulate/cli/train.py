@@ -7,10 +7,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from singulate.agents.registry import AGENTS, agent_kind
+from singulate.checkpoints.reading import read_manifest
 from singulate.cli.lists import parse_setting
 from singulate.cli.progress import TrainingBar
 from singulate.envs import ACTION_ENCODINGS, OBSERVATIONS, EnvConfig
-from singulate.exceptions import InvalidValueError
+from singulate.exceptions import InvalidValueError, SingulateError
 from singulate.paths import default_runs_directory
 from singulate.rewards import REWARDS
 from singulate.runs import RunDirectory, new_run_directory
@@ -35,9 +36,13 @@ def add_parser(subparsers: "Subparsers") -> None:
     """Add the command to a parser."""
     text = "train an agent"
     parser = subparsers.add_parser("train", help=text, description=text)
-    parser.add_argument("--agent", help=f"{', '.join(AGENTS)}")
+    parser.add_argument("--agent", help=f"of a new run: {', '.join(AGENTS)}")
     parser.add_argument("--scenario", help="such as fixed-2, random-3, cluster-5 (random-2)")
-    parser.add_argument("--steps", type=int, help=f"pushes in all ({DEFAULT_STEPS})")
+    parser.add_argument(
+        "--steps",
+        type=int,
+        help=f"pushes in all; PPO and its kin finish their last rollout ({DEFAULT_STEPS})",
+    )
     parser.add_argument("--seed", type=int, help="decides everything random (0)")
     parser.add_argument("--observation", help=", ".join(OBSERVATIONS))
     parser.add_argument("--action", help=", ".join(ACTION_ENCODINGS))
@@ -84,14 +89,23 @@ def _resolve(args: argparse.Namespace) -> tuple[TrainingConfig, Path]:
     """The run's settings and directory; see `train`."""
     if args.resume is not None:
         _refuse(args, (*NEW_RUN_OPTIONS, "run_dir", "config"), "--resume")
-        values = RunDirectory(args.resume).open().read_config()
+        run = RunDirectory(args.resume).open()
+        values = run.read_config()
         if args.steps is not None:
+            _check_goes_on(args.steps, run)
             values["total_timesteps"] = args.steps
         if args.workers is not None:
             values["num_workers"] = args.workers
         return TrainingConfig.from_dict(values), args.resume
     config = _config_of_file(args) if args.config is not None else _config_of_options(args)
     return config, args.run_dir or _new_run_dir(config)
+
+
+def _check_goes_on(steps: int, run: RunDirectory) -> None:
+    newest = run.latest_checkpoint()
+    num_done = read_manifest(newest).step if newest is not None else 0
+    if steps < num_done:
+        raise InvalidValueError("--steps", steps, f"{num_done} or more, which are done already")
 
 
 def _refuse(args: argparse.Namespace, names: tuple[str, ...], beside: str) -> None:
@@ -113,7 +127,7 @@ def _config_of_file(args: argparse.Namespace) -> TrainingConfig:
 
 def _config_of_options(args: argparse.Namespace) -> TrainingConfig:
     if args.agent is None:
-        raise InvalidValueError("agent", None, ", ".join(AGENTS))
+        raise SingulateError(f"--agent is missing: one of {', '.join(AGENTS)}")
     kind = agent_kind(args.agent)
     action = args.action or kind.actions[0]
     given: dict[str, Any] = {
@@ -165,17 +179,21 @@ def _summary(result: "TrainingResult") -> dict[str, Any]:
         "state": result.state,
         "checkpoint": str(result.checkpoint),
         "num_steps": progress.num_steps,
-        "recent_success_rate": progress.success_rate,
-        "recent_mean_reward": progress.mean_reward,
+        "recent_episodes": progress.num_episodes,
+        "recent_success_rate": progress.success_rate if progress.num_episodes else None,
+        "recent_mean_reward": progress.mean_reward if progress.num_episodes else None,
     }
 
 
 def _text(result: "TrainingResult") -> str:
     progress = result.progress
+    learning = (
+        f"; while exploring, the last {progress.num_episodes:,} episodes had "
+        f"{progress.success_rate:.1%} success and a mean reward of {progress.mean_reward:.0f}"
+    )
     return (
-        f"{result.state.capitalize()} after {progress.num_steps:,} pushes; while exploring, the "
-        f"last thousand episodes had {progress.success_rate:.1%} success and a mean reward of "
-        f"{progress.mean_reward:.0f}.\n"
+        f"{result.state.capitalize()} after {progress.num_steps:,} pushes"
+        f"{learning if progress.num_episodes else ', none of them now'}.\n"
         f"Checkpoint: {result.checkpoint}\n"
         f"Measure it: singulate evaluate {result.checkpoint}"
     )

@@ -39,6 +39,11 @@ class EpisodeMetrics:
         self._num_pushes = [0] * num_envs
 
     @property
+    def num_episodes(self) -> int:
+        """Episodes that `success_rate` and `mean_reward` are about."""
+        return len(self._smooth)
+
+    @property
     def success_rate(self) -> float:
         """Share of successes among the last `SMOOTHING_EPISODES` episodes, 0 before the first."""
         return self._sums[1] / max(len(self._smooth), 1)

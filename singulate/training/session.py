@@ -33,14 +33,16 @@ class Progress:
         total_steps: Pushes asked for.
         pushes_per_second: Current speed.
         eta_s: Time left [s], None while unknown.
-        success_rate: Share of successes among the last thousand episodes.
-        mean_reward: Mean reward of those episodes.
+        num_episodes: The last episodes that this process has seen, at most a thousand.
+        success_rate: Share of successes among them.
+        mean_reward: Their mean reward.
     """
 
     num_steps: int
     total_steps: int
     pushes_per_second: float
     eta_s: float | None
+    num_episodes: int
     success_rate: float
     mean_reward: float
 
@@ -106,6 +108,7 @@ class TrainingSession:
             total,
             self._speed.pushes_per_second,
             self._speed.eta_s(total - num_steps),
+            self.metrics.num_episodes,
             self.metrics.success_rate,
             self.metrics.mean_reward,
         )

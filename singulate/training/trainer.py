@@ -53,7 +53,8 @@ def train(
     Args:
         config: The run's settings.
         run_dir: Directory of the run: new, or one to continue.
-        resume: Continue from the newest checkpoint, exactly as if the run had never stopped.
+        resume: Continue from the newest checkpoint: the agent learns exactly as if the run had
+            never stopped. Running means of the metrics begin anew.
         on_progress: Called after every push.
 
     Raises:

@@ -21,7 +21,9 @@ def test_it_is_trained_measured_and_saved(
         "weights.safetensors",
     ]
     weights = (tmp_path / "ae" / "weights.safetensors").read_bytes()
-    assert main(["autoencoder", *SMALL, "--out", out]) == 0
+    assert main(["autoencoder", *SMALL, "--out", out]) == 2
+    assert "--overwrite" in capsys.readouterr().err
+    assert main(["autoencoder", *SMALL, "--out", out, "--overwrite"]) == 0
     assert "5 unseen scenes" in capsys.readouterr().out
     assert (tmp_path / "ae" / "weights.safetensors").read_bytes() == weights
 

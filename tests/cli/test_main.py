@@ -44,7 +44,7 @@ def test_every_command_has_help_and_speaks_json(
     [
         ((), "COMMAND"),
         (("fly",), "fly"),
-        (("train",), "agent: None is not allowed; allowed: dqn, ppo"),
+        (("train",), "--agent is missing: one of dqn, ppo"),
         (("train", "--agent", "a2c"), "'a2c'"),
         (("train", "--agent", "dqn", "--scenario", "moon-2"), "moon-2"),
         (("train", "--agent", "dqn", "--steps", "many"), "many"),

@@ -31,7 +31,14 @@ def test_a_published_checkpoint_is_small_and_says_what_was_measured(
     readme = (published / "README.md").read_text()
     assert str(manifest.notes["command"]) in readme
     assert "random pushes" in readme
+    assert f'load_policy("{published}")' in readme
     assert singulate.load_policy(published).kind == "dqn"
+    assert main([*arguments, "--publish", str(published)]) == 2
+    assert "--overwrite" in capsys.readouterr().err
+    first = run_dir / "checkpoints" / "step-000000000"
+    again = ["evaluate", str(first), *arguments[2:], "--publish", str(published), "--overwrite"]
+    assert main(again) == 0
+    assert "the checkpoint after 0 pushes" in (published / "README.md").read_text()
 
 
 def test_only_a_run_can_be_published_from(
@@ -89,6 +96,16 @@ def test_the_command_names_what_is_not_default_and_can_be_typed() -> None:
     options = [words[i + 1] for i, word in enumerate(words) if word == "--set"]
     typed = dict(parse_setting("--set", option) for option in options)
     assert TrainingConfig("dqn", env, 500, seed=4, agent_config=typed) == config
+
+
+def test_the_command_of_an_offline_run_names_its_data_and_environments() -> None:
+    env = EnvConfig("random-3", action="grid", max_pushes=1, reward="start")
+    config = TrainingConfig(
+        "dqn", env, 500, num_envs=4, dataset="/data/my set", dataset_sha256="0" * 64
+    )
+    assert train_command(config) == (
+        "singulate train --agent dqn --dataset '/data/my set' --steps 500 --seed 0 --envs 4"
+    )
 
 
 def test_commands_of_shipped_checkpoints_can_be_typed() -> None:

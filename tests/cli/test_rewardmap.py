@@ -50,6 +50,7 @@ def test_people_get_lines_and_a_bar(capsys: pytest.CaptureFixture[str]) -> None:
         (["--workers", "0"], "num_workers"),
         (["--out", "/no/such/directory/map.npz"], "out"),
         (["--out", "/proc/map.npz"], "out: '/proc/map.npz' is not allowed; .* can be written"),
+        (["--out", "/dev/full"], "a file, this is a device or a pipe"),
         (["--out", "/"], "out: '/' is not allowed; allowed: a file, this is a directory"),
     ],
 )

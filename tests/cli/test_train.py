@@ -25,6 +25,11 @@ def test_train_resume_and_evaluate(tmp_path: Path, capsys: pytest.CaptureFixture
     assert RunDirectory(tmp_path / "run").read_config()["num_workers"] == 0
     second = json.loads(capsys.readouterr().out)
     assert second["checkpoint"].endswith("step-000000030")
+    assert main(["train", "--resume", run_dir, "--steps", "29"]) == 2
+    assert "--steps: 29 is not allowed; allowed: 30 or more" in capsys.readouterr().err
+    assert RunDirectory(tmp_path / "run").read_config()["total_timesteps"] == 30
+    assert main(["train", "--resume", run_dir]) == 0
+    assert "Finished after 30 pushes, none of them now." in capsys.readouterr().out
 
     arguments = ["evaluate", run_dir, "--episodes", "12", "--workers", "1"]
     assert main([*arguments, "--json"]) == 0
