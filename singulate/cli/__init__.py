@@ -12,6 +12,7 @@ from singulate.exceptions import SingulateError
 COMMANDS: dict[str, str] = {
     "app": "open the dashboard in a browser",
     "train": "train an agent",
+    "agents": "the agents that can be trained, and the settings of each",
     "evaluate": "success and rewards of a trained agent on unseen scenes",
     "ceiling": "share of scenes that some push of a grid solves",
     "rewardmap": "true reward of every push on a scene",

@@ -21,7 +21,7 @@ def add_parser(subparsers: "Subparsers") -> None:
         "--grid",
         type=int,
         default=10,
-        metavar="10|16|32|64",
+        metavar="N",
         help="starts along each side, the centres of equal cells (%(default)s, the paper's)",
     )
     parser.add_argument("--scenes", type=int, default=1000, help="how many (%(default)s)")

@@ -150,6 +150,10 @@ def _load(name: str) -> tuple[Policy, str, EnvConfig]:
     from singulate.agents.loading import checkpoint_directory, policy_from_checkpoint
     from singulate.checkpoints import read_checkpoint
 
+    if not Path(name).exists():
+        raise InvalidValueError(
+            "checkpoint", name, f"a directory, or one of {', '.join(YARDSTICKS)}"
+        )
     directory = checkpoint_directory(Path(name))
     checkpoint = read_checkpoint(directory, with_files=False)
     policy = policy_from_checkpoint(checkpoint)

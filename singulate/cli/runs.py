@@ -30,6 +30,8 @@ if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
 
 NUM_RECENT_PUSHES = 1000
+PIPE_WIDTH = 200
+"""Characters of a line that no terminal shows."""
 CONTROLS = {
     "pause": "let a running trainer wait",
     "resume": "let a paused trainer go on",
@@ -86,7 +88,10 @@ def _list(args: argparse.Namespace) -> int:
     if not summaries:
         print(f"There are no runs in {directory}.")
         return 0
-    table = Table("run", "agent", "scenario", "state", "steps", "updated", box=None)
+    table = Table(box=None)
+    table.add_column("run", no_wrap=True)
+    for title in ("agent", "scenario", "state", "steps", "updated"):
+        table.add_column(title)
     for summary in summaries:
         status, config = summary.status, summary.config
         table.add_row(
@@ -97,7 +102,7 @@ def _list(args: argparse.Namespace) -> int:
             f"{status.num_steps:,} / {status.total_steps:,}" if status else "?",
             _time_text(status.updated_at) if status else summary.problem,
         )
-    Console().print(table)
+    Console(width=None if sys.stdout.isatty() else PIPE_WIDTH).print(table)
     return 0
 
 

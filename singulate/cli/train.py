@@ -63,7 +63,7 @@ def add_parser(subparsers: "Subparsers") -> None:
         dest="settings",
         action="append",
         metavar="KEY=VALUE",
-        help="a setting of the agent, such as learning_rate=0.001",
+        help="a setting of the agent, such as learning_rate=0.001; all: singulate agents AGENT",
     )
     parser.add_argument("--run-dir", type=Path, metavar="D", help="directory of a new run")
     parser.add_argument("--resume", type=Path, metavar="D", help="continue this run")

@@ -156,6 +156,10 @@ def read_manifest(directory: Path) -> Manifest:
         manifest = Manifest(config, shards)
         if manifest.sha256 != content["sha256"]:
             raise ValueError("its own hash does not fit")
+    except FileNotFoundError:
+        raise DatasetError(
+            f"{directory}: holds no data set ({MANIFEST_NAME}); make one with singulate dataset"
+        ) from None
     except OSError as error:
         raise DatasetError(f"{path}: {error.strerror or error}") from None
     except (ValueError, KeyError, TypeError) as error:

@@ -48,7 +48,9 @@ class EnvConfig:
         pushes = self.max_pushes
         is_count = isinstance(pushes, int) and not isinstance(pushes, bool)
         if pushes is not None and not (is_count and 1 <= pushes <= MAX_PUSHES_LIMIT):
-            raise InvalidValueError("max_pushes", pushes, f"1 to {MAX_PUSHES_LIMIT}, or None")
+            raise InvalidValueError(
+                "max_pushes", pushes, f"1 to {MAX_PUSHES_LIMIT}; left out, the scenario's own"
+            )
         goal = self.goal_separation
         if not (is_finite_number(goal) and 0.0 < goal <= 1.0):
             raise InvalidValueError("goal_separation", goal, "more than 0, at most 1 [m]")

@@ -88,7 +88,7 @@ def test_a_run_goes_on_with_its_own_data_set_only(
     assert main(["train", *options]) == 0
     shutil.rmtree(copy)
     assert main(["train", "--resume", run_dir, "--steps", "20"]) == 2
-    assert "dataset.json: No such file" in capsys.readouterr().err
+    assert "holds no data set" in capsys.readouterr().err
     sizes = ["--scenes", "1", "--resolution", "4", "--workers", "1"]
     assert main(["dataset", *sizes, "--out", str(copy)]) == 0
     assert main(["train", "--resume", run_dir, "--steps", "20"]) == 2
@@ -101,7 +101,7 @@ def test_a_run_goes_on_with_its_own_data_set_only(
         (["--scenario", "random-2"], "nothing beside --dataset"),
         (["--max-pushes", "2"], "nothing beside --dataset"),
         (["--agent", "ppo", "--action", "start_end"], "action: 'start_end' is not allowed"),
-        (["--dataset", "/no/such"], "dataset.json: No such file"),
+        (["--dataset", "/no/such"], "holds no data set"),
     ],
 )
 def test_what_a_data_set_cannot_answer_is_refused(
