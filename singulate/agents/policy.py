@@ -30,7 +30,8 @@ class Policy(Protocol):
 
         Args:
             observation: What the environment's observation encoding gave.
-            rng: Explore as in training with this generator; greedy without it.
+            rng: Draw with this generator, from the density or now and then another push than the
+                best one; greedy without it.
         """
         ...
 

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
 
-ACTING = {False: "greedy", True: "drawing, as in training"}
+ACTING = {False: "greedy", True: "drawing"}
 ENV_OPTIONS = ("scenario", "reward", "max_pushes", "goal_separation")
 
 
@@ -51,7 +51,8 @@ def add_parser(subparsers: "Subparsers") -> None:
         "--sample",
         action="store_true",
         default=None,
-        help="draw pushes as in training (PPO, TRPO and SAC do anyway)",
+        help="draw pushes (PPO, TRPO and SAC do anyway); an agent of values takes now and then "
+        "another one than the best",
     )
     acting.add_argument(
         "--greedy",

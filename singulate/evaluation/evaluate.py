@@ -33,7 +33,7 @@ def evaluate(
         env_config: The task.
         episodes: Number of episodes.
         seed: Seed of the evaluation.
-        sample: Whether the policy draws pushes as in training (True) or is greedy (False); by
+        sample: Whether the policy draws pushes (True) or is greedy (False); by
             default as it is meant to act.
         engine: Where episodes are played; None for this process.
         on_progress: Called with the number of finished episodes now and then.

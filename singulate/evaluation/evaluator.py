@@ -50,7 +50,7 @@ class Evaluator:
         policy: What to try.
         env_config: The task; the policy chooses pushes, so its ``action`` has no effect, and the
             policy's own observation is used.
-        sample: Whether the policy draws pushes as in training (True) or is greedy (False); by
+        sample: Whether the policy draws pushes (True) or is greedy (False); by
             default as it is meant to act.
     """
 

@@ -41,7 +41,7 @@ class GridPolicy:
         self.network: torch.nn.Module = policy.q_net.eval()
 
     def act(self, observation: FloatMap, rng: np.random.Generator | None = None) -> Push:
-        """The push of the highest value; with `rng`, now and then a random one, as in training."""
+        """The push of the highest value; with `rng`, now and then a uniformly random one."""
         if rng is not None and rng.random() < self._exploration_rate:
             return self._encoding.decode(int(rng.integers(self._encoding.space.n)))
         return self._encoding.decode(int(self._values(observation).argmax()))

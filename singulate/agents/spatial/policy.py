@@ -34,7 +34,10 @@ class SpatialPolicy:
         self._exploration_rate = config.exploration_final_eps
 
     def act(self, observation: FloatMap, rng: np.random.Generator | None = None) -> Push:
-        """The push of the highest value; with `rng`, now and then a random aimed one."""
+        """The push of the highest value; with `rng`, now and then a random aimed one.
+
+        In training, starts that are not explored are shaken as well (`start_noise`).
+        """
         image = self._distance_map(observation)
         if rng is not None and rng.random() < self._exploration_rate:
             return aimed_push(image, self.workspace, rng)
