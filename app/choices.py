@@ -1,4 +1,4 @@
-"""Names that the page offers; the server may not import the packages that define them."""
+"""Names that the page offers, out of many more that can be typed."""
 
 USUAL_PUSHES = {
     "spatial": 2_000,

@@ -4,10 +4,10 @@ import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from statistics import median
 from typing import Any
 
 from singulate.exceptions import SingulateError
+from singulate.experiments.claims.claim import Numbers
 from singulate.paths import figures_directory
 
 MAX_BYTES = 10_000_000
@@ -73,17 +73,6 @@ def _claim(entry: Mapping[str, Any]) -> Claim:
         str(entry["statement"]),
         str(entry["source"]),
         str(entry["verdict"]),
-        tuple(_numbers_text(str(each["name"]), each["values"]) for each in entry["numbers"]),
+        tuple(Numbers(str(each["name"]), tuple(each["values"])).text for each in entry["numbers"]),
         str(entry["reason"]),
     )
-
-
-def _numbers_text(name: str, values: list[float]) -> str:
-    """Median and range over seeds.
-
-    Example:
-        >>> _numbers_text("success", [0.2, 0.1, 0.4])
-        'success: 0.2 (0.1 to 0.4, 3 seeds)'
-    """
-    spread = f"{min(values):.3g} to {max(values):.3g}, {len(values)} seeds"
-    return f"{name}: {median(values):.3g} ({spread})"

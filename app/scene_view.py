@@ -49,7 +49,6 @@ def _compose(
         can_undo=bool(rest.history) or live.active_push is not None,
         active_push=live.active_push,
         pushed_by=live.pushed_by,
-        picture_version=rest.version,
         distance_map=rest.percept.distance_map,
         mask=rest.percept.mask,
         rgb=rest.rgb,

@@ -17,12 +17,13 @@ class PushReport:
 
     Attributes:
         push: What was executed.
-        by: Who pushed (``you``, ``agent``).
+        by: Who pushed: ``agent``, or what others call a person.
         predicted: Reward that the loaded policy expected, where it can tell.
         reward: Actual total reward (Eq. 7).
         weighted_terms: Actual reward by term, weighted.
         is_success: Whether every pair of blocks is now apart.
-        outcome: ``success``, ``empty``, ``inside``, ``off_table`` or ``not_separated``.
+        outcome: ``success``, ``empty``, ``inside``, ``off_table``, ``not_separated`` or
+            ``simulation_error``.
         num_segments: Segments that the camera saw before and after.
         label_images: Segmentation before and after, int32 (H, W) each.
     """
@@ -48,7 +49,6 @@ class SceneSnapshot:
         pusher: Live pusher pose (x, y, z, yaw), None while it is lifted away.
         distance_map: Pixels, -1 inside, float32 (H, W), of the state at rest.
         rgb: Camera image, uint8 (H, W, 3), of the state at rest.
-        picture_version: Version that `distance_map`, `mask` and `rgb` show.
         motion_count: Simulation steps executed since the process started; tests and benchmarks
             measure click-to-motion with it.
         is_rearranged: Whether blocks were moved, added or removed by hand.
@@ -69,7 +69,6 @@ class SceneSnapshot:
     can_undo: bool
     active_push: Push | None
     pushed_by: str
-    picture_version: int
     distance_map: FloatMap
     mask: npt.NDArray[np.bool_]
     rgb: npt.NDArray[np.uint8]

@@ -21,16 +21,20 @@ LINES = sorted({shlex.join(shlex.split(line, comments=True)) for line in FENCED 
 
 
 def test_the_python_example_singulates_a_scene(monkeypatch: pytest.MonkeyPatch) -> None:
-    (example,) = re.findall(r"^```python\n(.*?)^```$", README, re.MULTILINE | re.DOTALL)
+    examples = re.findall(r"^```python\n(.*?)^```$", README, re.MULTILINE | re.DOTALL)
     monkeypatch.chdir(ROOT)
     found: dict[str, Any] = {}
-    exec(example, found)
+    for example in examples:
+        exec(example, found)
     found["env"].close()
     assert found["observation"].shape == (64, 64)
     assert isinstance(found["push"], Push)
     assert (found["values"].shape, found["values"].dtype) == ((4, 64, 64), np.float32)
     assert found["info"]["push"].start == pytest.approx(found["push"].start, abs=1e-6)
     assert found["info"]["is_success"]
+    rewards, agreed = found["rewards"], found["values"]
+    assert (rewards.shape, rewards.dtype) == ((4, 64, 64), np.float32)
+    assert rewards.flat[agreed.argmax()] > 1000.0
     assert set(found["info"]["reward_terms"]) == {"start", "distance", "inside", "success"}
 
 

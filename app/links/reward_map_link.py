@@ -51,11 +51,6 @@ class RewardMapLink:
         """Process id of the reward-map process, once it has been started."""
         return self._process.pid if self._process else None
 
-    @property
-    def is_computing(self) -> bool:
-        """Whether a map is under way."""
-        return self._computing is not None
-
     def update(self, rest: RestState | None, *, is_wanted: bool, is_dragged: bool = False) -> None:
         """Take in what has arrived; start, replace or cancel the map under way.
 

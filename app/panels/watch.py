@@ -21,10 +21,6 @@ class Watch:
             or any(not _same(a, b) for a, b in zip(before, parts, strict=True))
         )
 
-    def forget(self) -> None:
-        """Count the next parts as changed."""
-        self._parts = None
-
 
 def _same(a: object, b: object) -> bool:
     if a is b:

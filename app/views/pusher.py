@@ -5,10 +5,11 @@ import math
 import viser
 
 from app.views.palette import PUSHER_COLOUR
+from singulate.simulation.physics import Physics
 
-PUSHER_SIDE = 0.06
-PUSHER_HEIGHT = 0.12
-"""Size of the simulated pusher [m]; the page's process does not import the simulation."""
+PUSHER_SIDE = Physics().pusher_side
+PUSHER_HEIGHT = Physics().pusher_height
+"""Size of the pusher [m]."""
 
 
 class PusherView:

@@ -21,6 +21,8 @@ from singulate.runs.schema import (
     version_problem,
 )
 
+METRICS_EVERY = 100
+"""Pushes between two points of a training curve."""
 COMMIT_INTERVAL_S = 0.5
 LOCK_TIMEOUT_S = 5.0
 
@@ -69,14 +71,6 @@ class RunRecord:
         now = time.time()
         self._metrics += [(name, step, _number(value), now) for name, value in values.items()]
         self._commit_when_due()
-
-    def add_metric(self, step: int, name: str, value: float) -> None:
-        """Record one value of a training step.
-
-        Raises:
-            RunError: If a commit was due and failed.
-        """
-        self.add_metrics(step, {name: value})
 
     def add_push(self, record: PushRecord) -> None:
         """Record a push; steps never decrease from one push to the next.

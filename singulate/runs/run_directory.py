@@ -123,7 +123,7 @@ class RunDirectory:
         return self.config_path.is_file() and self.lock_path.is_file()
 
     def read_config(self) -> dict[str, Any]:
-        """The configuration that the run was created with.
+        """The configuration that the run was created, or last resumed, with.
 
         Raises:
             RunError: If it is missing or damaged.

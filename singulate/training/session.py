@@ -12,6 +12,7 @@ from singulate.agents.loading import tensors_of
 from singulate.checkpoints import Manifest, prune, save_checkpoint
 from singulate.exceptions import CheckpointError, RunError
 from singulate.runs import Heartbeat, RunDirectory
+from singulate.runs.record import METRICS_EVERY
 from singulate.training.config import TrainingConfig
 from singulate.training.controls import Controls
 from singulate.training.envs import TrainingEnvs
@@ -19,9 +20,6 @@ from singulate.training.metrics import EpisodeMetrics, model_metrics
 from singulate.training.speed import SpeedMeter
 from singulate.training.telemetry import Telemetry
 from singulate.training.training_state import capture_training
-
-METRICS_EVERY = 100
-"""Pushes between two points of a training curve."""
 
 
 @dataclass(frozen=True)

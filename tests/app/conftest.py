@@ -140,7 +140,6 @@ def make_scene() -> Callable[..., SceneSnapshot]:
         "can_undo": True,
         "active_push": None,
         "pushed_by": "",
-        "picture_version": 3,
         "distance_map": distances,
         "mask": distances < 0.0,
         "rgb": np.full((64, 64, 3), 120, np.uint8),

@@ -33,7 +33,7 @@ with RunLock(run.path), Heartbeat(run.path, RunStatus(state="running"), 0.01):
                 record.add_push(
                     PushRecord(step, step, push, float(step), terms, False, "empty", poses)
                 )
-            record.add_metric(step, "reward", float(step))
+            record.add_metrics(step, {"reward": float(step)})
             record.flush()
             manifest = Manifest(agent="dqn", agent_config={}, env_config={}, step=step)
             tensors = {"w": np.full(20_000, step, np.float32)}

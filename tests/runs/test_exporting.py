@@ -12,7 +12,7 @@ def test_csv_files_hold_everything(run_dir: Path, tmp_path: Path, make_push) -> 
     with RunRecord(run_dir) as record:
         for step in (1, 2, 3):
             record.add_push(make_push(step))
-            record.add_metric(step, "loss", 0.1 * step)
+            record.add_metrics(step, {"loss": 0.1 * step})
         record.flush()
         paths = export_run(run_dir, tmp_path / "out")
     assert [path.name for path in paths] == ["metrics.csv", "pushes.csv"]

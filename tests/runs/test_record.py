@@ -28,13 +28,13 @@ def test_a_commit_comes_by_itself(run_dir: Path, make_push) -> None:
     with RunRecord(run_dir) as record:
         record.add_push(make_push(1))
         time.sleep(COMMIT_INTERVAL_S)
-        record.add_metric(1, "loss", 0.5)
+        record.add_metrics(1, {"loss": 0.5})
         assert RunReader(run_dir).count_pushes() == 1
 
 
 def test_a_later_value_of_the_same_step_replaces(run_dir: Path) -> None:
     with RunRecord(run_dir) as record:
-        record.add_metric(5, "loss", 0.5)
+        record.add_metrics(5, {"loss": 0.5})
         record.add_metrics(5, {"loss": 0.25, "bad": math.inf})
     reader = RunReader(run_dir)
     assert reader.metrics_since("loss").values.tolist() == [0.25]
@@ -46,7 +46,7 @@ def test_rewinding_forgets_what_came_after(run_dir: Path, make_push) -> None:
     with RunRecord(run_dir) as record:
         for step in range(1, 11):
             record.add_push(make_push(step))
-            record.add_metric(step, "loss", 1.0 / step)
+            record.add_metrics(step, {"loss": 1.0 / step})
         record.rewind(6)
         assert reader.generation() == 1
         assert reader.last_step() == 6
@@ -109,7 +109,7 @@ from singulate.runs import RunReader, RunRecord
 run_dir = Path(sys.argv[1])
 soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
 with RunRecord(run_dir) as record:
-    record.add_metric(0, "loss", 1.0)
+    record.add_metrics(0, {"loss": 1.0})
     record.flush()
     resource.setrlimit(resource.RLIMIT_FSIZE, (60_000, hard))
     record.add_metrics(1, {f"metric_{i:05d}": 1.0 for i in range(5000)})

@@ -9,12 +9,10 @@ from torch import nn
 
 from singulate.agents.density_ppo.distribution import PointDistribution
 from singulate.agents.density_ppo.turning import NUM_DIRECTIONS, turn_images
+from singulate.agents.observation import closeness
 
 DILATIONS = (2, 4, 2)
 """Of the 3 x 3 convolutions, in turns; three of them see 17 cells."""
-
-HALF_CLOSE_PX = 6.4
-"""Distance at which an object is half close: 0.2 m, where r_Start peaks (Eq. 4)."""
 
 TRUNK_CELLS = 16
 """Cells along each side that the convolutions see; each may stand for several cells of the head."""
@@ -103,8 +101,7 @@ class TurnedNet(nn.Module):
 
 def _channels(images: torch.Tensor) -> torch.Tensor:
     """Object, and closeness to one (1 at it, 0 far away), (N, 2, H, H); a mask has no distances."""
-    closeness = HALF_CLOSE_PX / (images.clamp(min=0.0) + HALF_CLOSE_PX)
-    return torch.stack([(images < 0.0).float(), closeness], dim=1)
+    return torch.stack([(images < 0.0).float(), closeness(images)], dim=1)
 
 
 def _by_scene(maps: torch.Tensor, batch: int) -> torch.Tensor:

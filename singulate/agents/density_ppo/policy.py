@@ -10,6 +10,7 @@ from singulate.agents.density_ppo.config import DensityPPOConfig
 from singulate.agents.density_ppo.distribution import PointDistribution
 from singulate.agents.density_ppo.model import actor_critic_arguments
 from singulate.agents.density_ppo.network import TurnedNet
+from singulate.agents.observation import batch_of_one
 from singulate.agents.policy import FloatMap
 from singulate.agents.reward_scale import REWARD_SCALE
 from singulate.envs import EnvConfig, PointActions, make_observation
@@ -61,8 +62,9 @@ class DensityPolicy:
 
     def predict_value(self, observation: FloatMap, push: Push) -> float | None:
         """Expected total reward of pushing as the policy would; the same for every `push`."""
+        picture = batch_of_one(observation, self.workspace.image_size)
         with torch.no_grad():
-            value = self.network.predict_values(_batch(observation))
+            value = self.network.predict_values(picture)
         return float(value[0, 0]) / REWARD_SCALE
 
     def start_density(self, observation: FloatMap) -> FloatMap:
@@ -71,9 +73,6 @@ class DensityPolicy:
 
     def push_distribution(self, observation: FloatMap) -> PointDistribution:
         """The distribution of pushes for an observation, float32 (H, W); a batch of one."""
+        picture = batch_of_one(observation, self.workspace.image_size)
         with torch.no_grad():
-            return self.network.get_distribution(_batch(observation))
-
-
-def _batch(observation: FloatMap) -> torch.Tensor:
-    return torch.as_tensor(np.asarray(observation, dtype=np.float32)[None])
+            return self.network.get_distribution(picture)

@@ -10,6 +10,7 @@ from stable_baselines3.dqn.policies import DQNPolicy
 from singulate.agents.dqn.config import DQNConfig
 from singulate.agents.dqn.model import network_arguments
 from singulate.agents.dqn.symmetry import mean_of_copies, symmetric_copies
+from singulate.agents.observation import checked_observation
 from singulate.agents.policy import FloatMap
 from singulate.agents.reward_scale import REWARD_SCALE
 from singulate.envs import EnvConfig, GridActions, make_observation
@@ -59,7 +60,7 @@ class GridPolicy:
         return values.reshape(4, cells, cells).astype(np.float32)
 
     def _values(self, observation: FloatMap) -> npt.NDArray[np.float32]:
-        images = np.asarray(observation, dtype=np.float32)[None]
+        images = checked_observation(observation, self.workspace.image_size)[None]
         if self._is_symmetric:
             images = symmetric_copies(images)
         with torch.no_grad():

@@ -7,6 +7,7 @@ from stable_baselines3.common.policies import ActorCriticPolicy
 
 from singulate.agents.gaussian.density import gaussian_start_density
 from singulate.agents.gaussian.networks import GaussianSettings, network_arguments
+from singulate.agents.observation import batch_of_one
 from singulate.agents.policy import FloatMap
 from singulate.agents.reward_scale import REWARD_SCALE
 from singulate.envs import EnvConfig, make_action_encoding, make_observation
@@ -60,8 +61,9 @@ class GaussianPolicy:
 
     def predict_value(self, observation: FloatMap, push: Push) -> float | None:
         """Expected total reward of pushing as the policy would; the same for every `push`."""
+        picture = batch_of_one(observation, self.workspace.image_size)
         with torch.no_grad():
-            value = self.network.predict_values(_batch(observation))
+            value = self.network.predict_values(picture)
         return float(value[0, 0]) / REWARD_SCALE
 
     def start_density(self, observation: FloatMap) -> FloatMap:
@@ -71,11 +73,8 @@ class GaussianPolicy:
 
     def action_distribution(self, observation: FloatMap) -> tuple[FloatVector, FloatVector]:
         """Mean and standard deviation of the action before clipping, float64 (dims,) each."""
+        picture = batch_of_one(observation, self.workspace.image_size)
         with torch.no_grad():
-            mean = self.network.get_distribution(_batch(observation)).mode()[0].numpy()
+            mean = self.network.get_distribution(picture).mode()[0].numpy()
             deviation = self.network.log_std.exp().numpy()
         return mean.astype(np.float64), deviation.astype(np.float64)
-
-
-def _batch(observation: FloatMap) -> torch.Tensor:
-    return torch.as_tensor(np.asarray(observation, dtype=np.float32)[None])

@@ -22,7 +22,7 @@ LOW_SCALE, HIGH_SCALE = 0.02, 1.0
 
 FIRST_SCALES = (0.5, 0.5, 0.2)
 """Standard deviations of an untrained network: starts all over the table, and a direction that
-stays within its bin (half as wide as 0.25) in four of five draws."""
+stays within its bin (0.25 to either side) in four of five draws."""
 
 ATTENTION_GAIN = 1.0
 """Of the attention's initial weights, so that components differ from the beginning."""

@@ -5,8 +5,8 @@ from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
-import torch
 
+from singulate.agents.observation import batch_of_one
 from singulate.agents.off_policy.networks import ActorAndCritics, Networks
 from singulate.agents.off_policy.values import lower_values_of_one
 from singulate.agents.policy import FloatMap
@@ -68,11 +68,5 @@ class ActorCriticPolicy:
         return np.stack([self._encoding.encode(push) for push in pushes])
 
     def _values(self, observation: FloatMap, actions: npt.NDArray[np.float32]) -> FloatMap:
-        return lower_values_of_one(self.network.critic, observation, actions) / np.float32(
-            REWARD_SCALE
-        )
-
-
-def as_batch(observation: FloatMap) -> torch.Tensor:
-    """A batch of one, (1, H, W)."""
-    return torch.as_tensor(np.asarray(observation, dtype=np.float32)[None])
+        picture = batch_of_one(observation, self.workspace.image_size)
+        return lower_values_of_one(self.network.critic, picture, actions) / np.float32(REWARD_SCALE)

@@ -5,8 +5,6 @@ import numpy.typing as npt
 import torch
 from stable_baselines3.common.policies import ContinuousCritic
 
-from singulate.agents.policy import FloatMap
-
 FloatArray = npt.NDArray[np.float32]
 
 
@@ -24,19 +22,18 @@ def lower_values(
 
 
 def lower_values_of_one(
-    critic: ContinuousCritic, observation: FloatMap, actions: FloatArray
+    critic: ContinuousCritic, picture: torch.Tensor, actions: FloatArray
 ) -> FloatArray:
     """`lower_values` of many actions on one observation, which is looked at only once.
 
     Args:
         critic: The critics.
-        observation: float32 (H, W).
+        picture: The observation, float32 (1, H, H).
         actions: float32 (N, dims).
 
     Returns:
         float32 (N,).
     """
-    picture = torch.as_tensor(np.asarray(observation, dtype=np.float32)[None])
     with torch.no_grad():
         features = critic.extract_features(picture, critic.features_extractor)
         given = torch.as_tensor(actions)

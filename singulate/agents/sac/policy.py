@@ -6,8 +6,9 @@ import torch
 from stable_baselines3.sac.policies import Actor, SACPolicy
 
 from singulate.agents.gaussian.density import squashed_start_density
+from singulate.agents.observation import batch_of_one
 from singulate.agents.off_policy.networks import network_arguments
-from singulate.agents.off_policy.policy import ActorCriticPolicy, as_batch
+from singulate.agents.off_policy.policy import ActorCriticPolicy
 from singulate.agents.policy import FloatMap
 from singulate.agents.sac.config import SACConfig
 from singulate.envs import EnvConfig
@@ -41,8 +42,9 @@ class SquashedGaussianPolicy(ActorCriticPolicy):
         """Mean and standard deviation of the action before tanh, float64 (dims,) each."""
         actor = self.network.actor
         assert isinstance(actor, Actor)
+        picture = batch_of_one(observation, self.workspace.image_size)
         with torch.no_grad():
-            mean, log_std, _ = actor.get_action_dist_params(as_batch(observation))
+            mean, log_std, _ = actor.get_action_dist_params(picture)
         deviation = log_std[0].exp().numpy()
         return mean[0].numpy().astype(np.float64), deviation.astype(np.float64)
 

@@ -9,7 +9,7 @@ from gymnasium import spaces
 from stable_baselines3.common.noise import ActionNoise
 from stable_baselines3.common.vec_env import VecEnv
 
-from singulate.agents.annealing import annealed
+from singulate.agents.annealing import annealed, set_learning_rate
 from singulate.agents.overlap import OverlappedSteps, OverlappedUpdates
 from singulate.agents.policy import FloatMap
 from singulate.agents.spatial.choice import best_push
@@ -75,15 +75,13 @@ class SpatialModel(OverlappedUpdates):
         """Improve the network by so many gradient steps."""
         self.policy.set_training_mode(True)
         rate = learning_rate_at(self.num_timesteps, self.settings)
-        for group in self.policy.optimizer.param_groups:
-            group["lr"] = rate
+        set_learning_rate(self, self.policy.optimizer, rate)
         losses = []
         for _ in range(gradient_steps):
             batch = self.replay_buffer.sample_pushes(self.batch_size)
             losses.append(gradient_step(self.policy, batch, self.settings))
         self._n_updates += gradient_steps
         self.logger.record("train/n_updates", self._n_updates, exclude="tensorboard")
-        self.logger.record("train/learning_rate", rate)
         self.logger.record("train/loss", np.mean(losses))
 
     def _on_step(self) -> None:

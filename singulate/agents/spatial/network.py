@@ -4,6 +4,7 @@ import numpy as np
 import torch
 from torch import nn
 
+from singulate.agents.observation import closeness
 from singulate.agents.policy import FloatMap
 
 BLOCK = 4
@@ -13,7 +14,6 @@ AHEAD, BEHIND, ASIDE = 6 * BLOCK, 2 * BLOCK, 4 * BLOCK
 and a block that it moves may meet others behind that."""
 
 _OFF_TABLE = -99.0
-_HALF_CLOSE = 6.4  # px, 0.2 m: r_Start falls as 1/d beyond its peak there (paper, Eq. 4)
 
 
 class ValueNetwork(nn.Module):
@@ -76,5 +76,5 @@ def _channels(canvases: torch.Tensor) -> torch.Tensor:
     """Object, closeness to one (1 at it, 0 far away) and off the table, (N, 3, h, w)."""
     is_off = canvases == _OFF_TABLE
     is_object = (canvases < 0.0) & ~is_off
-    closeness = _HALF_CLOSE / (canvases.clamp(min=0.0) + _HALF_CLOSE)
-    return torch.stack([is_object.float(), closeness * ~is_off, is_off.float()], dim=1)
+    near = closeness(canvases) * ~is_off
+    return torch.stack([is_object.float(), near, is_off.float()], dim=1)

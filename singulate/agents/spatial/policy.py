@@ -3,6 +3,7 @@
 import numpy as np
 import torch
 
+from singulate.agents.observation import checked_observation
 from singulate.agents.policy import FloatMap
 from singulate.agents.reward_scale import REWARD_SCALE
 from singulate.agents.spatial.choice import best_push
@@ -61,7 +62,7 @@ class SpatialPolicy:
         return value_maps(self.network, turned, FOUR_VIEWS) / np.float32(REWARD_SCALE)
 
     def _distance_map(self, observation: FloatMap) -> FloatMap:
-        images = np.asarray(observation, dtype=np.float32)[None]
+        images = checked_observation(observation, self.workspace.image_size)[None]
         distance_map: FloatMap = as_distance_maps(images, self.observation)[0]
         return distance_map
 

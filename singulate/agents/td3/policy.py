@@ -4,8 +4,9 @@ import numpy as np
 import torch
 from stable_baselines3.td3.policies import TD3Policy
 
+from singulate.agents.observation import batch_of_one
 from singulate.agents.off_policy.networks import network_arguments
-from singulate.agents.off_policy.policy import ActorCriticPolicy, as_batch
+from singulate.agents.off_policy.policy import ActorCriticPolicy
 from singulate.agents.policy import FloatMap
 from singulate.agents.td3.config import TD3Config
 from singulate.envs import EnvConfig
@@ -25,8 +26,9 @@ class DeterministicPolicy(ActorCriticPolicy):
 
     def act(self, observation: FloatMap, rng: np.random.Generator | None = None) -> Push:
         """The actor's push; with `rng`, with noise, as in training."""
+        picture = batch_of_one(observation, self.workspace.image_size)
         with torch.no_grad():
-            action = self.network.actor(as_batch(observation))[0].numpy()
+            action = self.network.actor(picture)[0].numpy()
         if rng is not None:
             action = np.clip(rng.normal(action, self._exploration_noise), -1.0, 1.0)
         return self._encoding.decode(action)

@@ -8,10 +8,9 @@ import numpy as np
 
 from singulate.rewards import TERMS, make_reward
 from singulate.runs import RunReader
+from singulate.runs.record import METRICS_EVERY
 
 NUM_POINTS = 30
-METRICS_EVERY = 100
-"""Pushes between two metrics in a run's record."""
 
 
 def training_curve(run_dir: Path, total_timesteps: int) -> dict[str, list[float]]:

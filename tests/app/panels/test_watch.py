@@ -24,13 +24,6 @@ def test_one_and_true_are_different():
     assert watch.has_changed(True)
 
 
-def test_forgetting_makes_the_next_look_a_change():
-    watch = Watch()
-    watch.has_changed(1)
-    watch.forget()
-    assert watch.has_changed(1)
-
-
 def test_a_throttle_lets_one_call_through_each_interval():
     throttle = Throttle(0.25)
     assert [throttle.is_due(now) for now in (0.0, 0.1, 0.24, 0.25, 0.3, 0.6)] == [
