@@ -179,7 +179,7 @@ def test_playback_keeps_real_time(bench):
         (ResetScene("random-2", 1.5), "seed"),
         (SetSpeed(math.nan), "speed"),
         (SetSpeed(0.0), "speed"),
-        (SetSpeed("fast"), "SetSpeed failed"),
+        (SetSpeed("fast"), "speed"),
         (PushNow(Push.cardinal((1.5, 0.0), Direction.UP, 0.5)), "push.start"),
         (PushNow(Push.cardinal((0.0, 0.5), Direction.UP, 50.0)), "push.length"),
         (PushNow("up"), "push"),
