@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from app.choices import MAX_SEED, SCENARIOS
+from app.choices import MAX_SEED
+from app.scene_recipe import check_recipe
 from app.security.access import is_loopback
 from singulate.cli import OneLineParser
 from singulate.exceptions import InvalidValueError
@@ -63,7 +64,7 @@ def parse_options(arguments: Sequence[str] | None = None) -> Options:
     Raises:
         InvalidValueError: If a value is not allowed.
     """
-    parser = OneLineParser(prog="python -m app", description="The dashboard.")
+    parser = OneLineParser(prog="singulate app", description="The dashboard.")
     add_arguments(parser)
     return check_options(parser.parse_args(arguments))
 
@@ -79,8 +80,7 @@ def check_options(parsed: argparse.Namespace) -> Options:
         raise InvalidValueError("--port", parsed.port, "0 to 65535")
     if not 0 <= parsed.seed <= MAX_SEED:
         raise InvalidValueError("--seed", parsed.seed, f"0 to {MAX_SEED}")
-    if parsed.scenario not in SCENARIOS:
-        raise InvalidValueError("--scenario", parsed.scenario, ", ".join(SCENARIOS))
+    check_recipe(parsed.scenario, parsed.seed)
     if parsed.run is not None and not parsed.run.is_dir():
         raise InvalidValueError("--run", str(parsed.run), "an existing run directory")
     token = secrets.token_urlsafe(16) if parsed.token == "auto" else parsed.token

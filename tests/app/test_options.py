@@ -31,6 +31,10 @@ def test_addresses_that_others_can_reach_need_a_token(host: str) -> None:
     assert parse_options(["--host", host, "--token", "long-enough"]).host == host
 
 
+def test_any_scenario_can_be_opened_with_a_mix_too() -> None:
+    assert parse_options(["--scenario", "fixed-2+cluster-5"]).scenario == "fixed-2+cluster-5"
+
+
 @pytest.mark.parametrize(
     "arguments",
     [
@@ -43,7 +47,7 @@ def test_addresses_that_others_can_reach_need_a_token(host: str) -> None:
     ],
 )
 def test_bad_values_are_one_line(arguments: list[str]) -> None:
-    with pytest.raises(InvalidValueError, match=arguments[0]) as refused:
+    with pytest.raises(InvalidValueError, match=arguments[0].strip("-")) as refused:
         parse_options(arguments)
     assert "\n" not in str(refused.value)
 

@@ -20,7 +20,7 @@ def test_another_project_called_app_is_not_started(tmp_path: Path) -> None:
         timeout=60,
     )
     assert done.returncode == 0, done.stderr
-    assert "python -m app" in done.stdout
+    assert "usage: singulate app [-h] [--host HOST]" in done.stdout
 
 
 def test_options_are_passed_on() -> None:
