@@ -166,7 +166,10 @@ class RunReader:
         rows = self._connection.rows(
             "SELECT id, time, kind, detail FROM events WHERE id > ? ORDER BY id", (event_id,)
         )
-        return [EventRecord(row[0], row[1], row[2], json.loads(row[3])) for row in rows]
+        try:
+            return [EventRecord(row[0], row[1], row[2], json.loads(row[3])) for row in rows]
+        except (ValueError, TypeError) as error:
+            raise RunError(f"{self._path}: holds a damaged event ({error})") from error
 
     def _count(self, query: str) -> int:
         rows = self._connection.rows(query)
