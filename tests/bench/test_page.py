@@ -1,4 +1,4 @@
-"""docs/performance.md shows what docs/performance.json and docs/memory.json hold."""
+"""The pages of docs show what the JSON files beside them hold."""
 
 from pathlib import Path
 
@@ -44,9 +44,10 @@ def section(name: str) -> str:
     return filled.removeprefix(head).removesuffix(tail)
 
 
-def test_the_committed_page_shows_the_committed_numbers() -> None:
-    page = (DOCS / "performance.md").read_text()
-    results = read_results(DOCS / "performance.json")
+@pytest.mark.parametrize("name", ["performance", "learning"])
+def test_the_committed_pages_show_the_committed_numbers(name: str) -> None:
+    page = (DOCS / f"{name}.md").read_text()
+    results = read_results(DOCS / f"{name}.json")
     assert fill_page(page, results, read_soak(DOCS / "memory.json")) == page
 
 
