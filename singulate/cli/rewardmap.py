@@ -29,7 +29,12 @@ def add_parser(subparsers: "Subparsers") -> None:
     parser = subparsers.add_parser("rewardmap", help=text, description=text)
     parser.add_argument("--scenario", default="random-2", help="such as random-3 (%(default)s)")
     parser.add_argument("--seed", type=int, default=0, help="decides the scene (%(default)s)")
-    parser.add_argument("--out", type=Path, metavar="FILE", help="write an .npz; its reward_map is float32 (4, H, W): up, right, down, left")
+    parser.add_argument(
+        "--out",
+        type=Path,
+        metavar="FILE",
+        help="write an .npz; its reward_map is float32 (4, H, W): up, right, down, left",
+    )
     parser.add_argument(
         "--resolution", type=int, default=64, help="starts along each side (%(default)s)"
     )
