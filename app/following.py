@@ -46,6 +46,6 @@ class Following:
             return
         started_run = self._training.started_run
         is_new = run.run_dir == started_run != self._done_with
-        if self._policy.wants_live or is_new:
+        if self._policy.is_following or is_new:
             self._done_with = started_run
             self._policy.load(run.last_checkpoint, is_live=True)

@@ -64,9 +64,10 @@ class PolicyLink:
         return bool(self._source)
 
     @property
-    def wants_live(self) -> bool:
-        """Whether what was asked for last is of a run that is being followed."""
-        return self._wants_live
+    def is_following(self) -> bool:
+        """Whether the policy is of a run that is followed, and no other was asked for since."""
+        is_last = self._loaded is not None and self._loaded.source == self._source
+        return is_last and self._wants_live
 
     @property
     def is_loaded(self) -> bool:
