@@ -6,9 +6,6 @@ import torch
 
 from singulate.exceptions import InvalidValueError
 
-HALF_CLOSE_PX = 6.4
-"""Distance at which an object is half close: 0.2 m, where r_Start peaks (Eq. 4)."""
-
 
 def checked_observation(observation: object, image_size: int) -> npt.NDArray[np.float32]:
     """One observation as float32 (H, H).
@@ -39,8 +36,3 @@ def batch_of_one(observation: object, image_size: int) -> torch.Tensor:
         InvalidValueError: As there.
     """
     return torch.as_tensor(checked_observation(observation, image_size)[None])
-
-
-def closeness(images: torch.Tensor) -> torch.Tensor:
-    """Closeness to an object, 1 at it and inside, 0 far away; any shape [px]."""
-    return HALF_CLOSE_PX / (images.clamp(min=0.0) + HALF_CLOSE_PX)

@@ -2,9 +2,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-import torch
 
-from singulate.agents.observation import batch_of_one, checked_observation, closeness
+from singulate.agents.observation import batch_of_one, checked_observation
 from singulate.agents.registry import AGENTS, agent_kind
 from singulate.envs import EnvConfig
 from singulate.exceptions import InvalidValueError
@@ -14,11 +13,6 @@ def test_numbers_of_any_type_become_one_float32_image() -> None:
     image = checked_observation(np.ones((64, 64), np.int64), 64)
     assert image.dtype == np.float32 and image.shape == (64, 64)
     assert batch_of_one(image.tolist(), 64).shape == (1, 64, 64)
-
-
-def test_closeness_is_half_where_the_start_reward_peaks() -> None:
-    images = torch.tensor([-1.0, 0.0, 6.4, 1e9])
-    assert closeness(images).tolist() == pytest.approx([1.0, 1.0, 0.5, 0.0], abs=1e-6)
 
 
 @pytest.mark.parametrize("agent", AGENTS)

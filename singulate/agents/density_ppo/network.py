@@ -7,9 +7,9 @@ import torch
 from stable_baselines3.common.policies import ActorCriticPolicy
 from torch import nn
 
+from singulate.agents.closeness import closeness
 from singulate.agents.density_ppo.distribution import PointDistribution
 from singulate.agents.density_ppo.turning import NUM_DIRECTIONS, turn_images
-from singulate.agents.observation import closeness
 
 DILATIONS = (2, 4, 2)
 """Of the 3 x 3 convolutions, in turns; three of them see 17 cells."""

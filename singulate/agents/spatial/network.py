@@ -4,7 +4,7 @@ import numpy as np
 import torch
 from torch import nn
 
-from singulate.agents.observation import closeness
+from singulate.agents.closeness import closeness
 from singulate.agents.policy import FloatMap
 
 BLOCK = 4
