@@ -36,18 +36,18 @@ def test_any_scenario_can_be_opened_with_a_mix_too() -> None:
 
 
 @pytest.mark.parametrize(
-    "arguments",
+    ("arguments", "said"),
     [
-        ["--port", "70000"],
-        ["--seed", "-1"],
-        ["--token", "short"],
-        ["--token", "with space and&sign"],
-        ["--scenario", "random-99"],
-        ["--run", "no/such/directory"],
+        (["--port", "70000"], "--port"),
+        (["--seed", "-1"], "--seed"),
+        (["--token", "short"], "--token"),
+        (["--token", "with space and&sign"], "--token"),
+        (["--scenario", "random-99"], "scenario"),
+        (["--run", "no/such/directory"], "--run"),
     ],
 )
-def test_bad_values_are_one_line(arguments: list[str]) -> None:
-    with pytest.raises(InvalidValueError, match=arguments[0].strip("-")) as refused:
+def test_bad_values_are_one_line(arguments: list[str], said: str) -> None:
+    with pytest.raises(InvalidValueError, match=f"^{said}: ") as refused:
         parse_options(arguments)
     assert "\n" not in str(refused.value)
 

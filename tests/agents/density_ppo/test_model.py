@@ -55,19 +55,23 @@ def make_model(agent: str, **settings: object) -> DensityPPO:
 
 
 @pytest.mark.parametrize(
-    ("agent", "ent_coef", "final_ent_coef"),
-    [("multimodal-ppo", 0.5, 0.25), ("mixture-ppo", 0.05, 0.01), ("fourier-ppo", 0.05, 0.01)],
+    ("agent", "num_pushes", "ent_coef", "final_ent_coef"),
+    [
+        ("multimodal-ppo", 4500, 0.6, 0.3),
+        ("mixture-ppo", 3000, 0.05, 0.01),
+        ("fourier-ppo", 3000, 0.05, 0.01),
+    ],
 )
 def test_it_learns_both_of_two_pushes_that_pay(
-    agent: str, ent_coef: float, final_ent_coef: float
+    agent: str, num_pushes: int, ent_coef: float, final_ent_coef: float
 ) -> None:
     """A Gaussian could cover one of them, or the useless middle.
 
     The entropy of Gaussians also grows beyond the table, so its bonus has to be small.
     """
-    schedule = {"anneal_steps": 3000, "ent_coef": ent_coef, "final_ent_coef": final_ent_coef}
+    schedule = {"anneal_steps": num_pushes, "ent_coef": ent_coef, "final_ent_coef": final_ent_coef}
     model = make_model(agent, learning_rate=3e-3, **schedule)
-    model.learn(3000)
+    model.learn(num_pushes)
     observation = torch.as_tensor(model.get_env().reset())  # type: ignore[union-attr]
     distribution = model.policy.get_distribution(observation.expand(2000, -1, -1))
     pushes = distribution.sample()
@@ -76,8 +80,8 @@ def test_it_learns_both_of_two_pushes_that_pay(
     for x, y, side in SIDES:
         near = (pushes[:, :2] - torch.tensor([x, y])).abs().amax(dim=1) < 0.25
         shares.append(float((near & (direction == side)).float().mean()))
-    assert min(shares) > 4 * CHANCE, "one of them is lost"
-    assert sum(shares) > 0.4, "most pushes still miss both"
+    assert min(shares) > 10 * CHANCE, "one of them is lost"
+    assert sum(shares) > 0.5, "most pushes still miss both"
 
 
 def test_schedules_depend_on_the_pushes_alone() -> None:
