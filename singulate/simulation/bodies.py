@@ -1,62 +1,70 @@
-"""Boxes in Bullet: solid ones for physics, visible ones for the camera."""
+"""Boxes in Bullet: solid ones for physics, visible ones for the camera.
+
+Boxes of one size are added in one go: most of what a new body costs, Bullet pays once a call.
+"""
+
+from collections.abc import Sequence
 
 from singulate.simulation.bullet import pybullet
 
 Vector3 = tuple[float, float, float]
 Quaternion = tuple[float, float, float, float]
+Places = Sequence[tuple[Vector3, Quaternion]]
+"""Position [m] and orientation of each body."""
 Colour = tuple[float, float, float, float]
 
 UPRIGHT: Quaternion = (0.0, 0.0, 0.0, 1.0)
 TABLE_THICKNESS = 0.1
 """[m]"""
 
+_ORIGIN: Vector3 = (0.0, 0.0, 0.0)
 _NEVER_SLEEP = 4
 
 
-def add_solid_box(
-    client: int,
-    half_extents: Vector3,
-    position: Vector3,
-    quaternion: Quaternion = UPRIGHT,
-    *,
-    mass: float,
-    friction: float,
-) -> int:
-    """Add a box that takes part in the physics; mass 0 stands still [kg]."""
+def add_solid_boxes(
+    client: int, half_extents: Vector3, places: Places, *, mass: float, friction: float
+) -> list[int]:
+    """Add boxes of one size that take part in the physics; mass 0 stands still [kg]."""
     shape = pybullet.createCollisionShape(
         pybullet.GEOM_BOX, halfExtents=half_extents, physicsClientId=client
     )
-    body = pybullet.createMultiBody(
+    bodies = pybullet.createMultiBody(
         mass,
         shape,
-        basePosition=position,
-        baseOrientation=quaternion,
+        batchPositions=[position for position, _ in places],
         # Plain rigid bodies step four times faster than Bullet's multibodies here.
         useMaximalCoordinates=True,
         physicsClientId=client,
     )
-    pybullet.changeDynamics(
-        body, -1, lateralFriction=friction, activationState=_NEVER_SLEEP, physicsClientId=client
-    )
-    return int(body)
+    for body, (position, quaternion) in zip(bodies, places, strict=True):
+        move_body(client, body, position, quaternion)
+        pybullet.changeDynamics(
+            body, -1, lateralFriction=friction, activationState=_NEVER_SLEEP, physicsClientId=client
+        )
+    return list(bodies)
 
 
-def add_visible_box(
-    client: int, half_extents: Vector3, position: Vector3, quaternion: Quaternion, colour: Colour
-) -> int:
-    """Add a box that cameras see and that nothing collides with."""
+def add_visible_boxes(
+    client: int, half_extents: Vector3, colours: Sequence[Colour]
+) -> list[int]:
+    """Add boxes of one size at the origin that cameras see and that nothing collides with."""
     shape = pybullet.createVisualShape(
         pybullet.GEOM_BOX,
         halfExtents=half_extents,
-        rgbaColor=colour,
         specularColor=(0.1, 0.1, 0.1),
         physicsClientId=client,
     )
-    body = pybullet.createMultiBody(
+    bodies = pybullet.createMultiBody(
         0.0,
         baseVisualShapeIndex=shape,
-        basePosition=position,
-        baseOrientation=quaternion,
+        batchPositions=[_ORIGIN] * len(colours),
         physicsClientId=client,
     )
-    return int(body)
+    for body, colour in zip(bodies, colours, strict=True):
+        pybullet.changeVisualShape(body, -1, rgbaColor=colour, physicsClientId=client)
+    return list(bodies)
+
+
+def move_body(client: int, body: int, position: Vector3, quaternion: Quaternion = UPRIGHT) -> None:
+    """Put a body somewhere, at once."""
+    pybullet.resetBasePositionAndOrientation(body, position, quaternion, physicsClientId=client)

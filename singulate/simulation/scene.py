@@ -40,9 +40,10 @@ class Scene:
     Args:
         workspace: The square that the table covers.
         physics: Physical constants.
-        exact: Whether to simulate every step of every push and to draw the table in every picture.
-            Otherwise what cannot move a block is left out: pushes past all blocks, and of the
-            others the free approach and, once the blocks lie still, the retreat.
+        exact: Whether to start Bullet anew for every push, to simulate all of its steps, and to
+            draw the table in every picture. Otherwise what cannot move a block is left out: pushes
+            past all blocks, and of the others the free approach and, once the blocks lie still,
+            the retreat.
     """
 
     def __init__(
@@ -54,7 +55,7 @@ class Scene:
         self.workspace = workspace or Workspace()
         self.physics = physics or Physics()
         self.exact = exact
-        self._world = World(self.workspace, self.physics)
+        self._world = World(self.workspace, self.physics, is_kept=not exact)
         self._depth_stage = Stage(self.workspace, has_table=False)
         self._stage: Stage | None = None
         self._camera = OverheadCamera(self.workspace)

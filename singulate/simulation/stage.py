@@ -1,7 +1,7 @@
 """What the cameras see: boxes without physics, kept and moved from scene to scene."""
 
 from singulate.geometry import Poses, Workspace
-from singulate.simulation.bodies import TABLE_THICKNESS, UPRIGHT, add_visible_box
+from singulate.simulation.bodies import TABLE_THICKNESS, UPRIGHT, add_visible_boxes, move_body
 from singulate.simulation.bullet import pybullet
 from singulate.simulation.fallen import is_fallen
 from singulate.simulation.palette import BLOCK_COLOURS, TABLE_COLOUR
@@ -42,27 +42,31 @@ class Stage:
         """Put the blocks where they stand; those that have fallen off are out of sight."""
         if self._num_replaced > _MAX_REPLACED:
             self._clear()
-        for i, pose in enumerate(poses):
+        self._fit_pool(poses)
+        for (body, _), pose in zip(self._pool, poses, strict=False):
             position = _OUT_OF_SIGHT if is_fallen(pose) else pose.position
-            pybullet.resetBasePositionAndOrientation(
-                self._block(i, pose.side), position, pose.quaternion, physicsClientId=self.client
-            )
+            move_body(self.client, body, position, pose.quaternion)
         for body, _ in self._pool[len(poses) :]:
-            pybullet.resetBasePositionAndOrientation(
-                body, _OUT_OF_SIGHT, UPRIGHT, physicsClientId=self.client
-            )
+            move_body(self.client, body, _OUT_OF_SIGHT, UPRIGHT)
 
-    def _block(self, index: int, side: float) -> int:
-        if index < len(self._pool):
-            body, pooled_side = self._pool[index]
-            if pooled_side == side:
-                return body
-            pybullet.removeBody(body, physicsClientId=self.client)
-            self._num_replaced += 1
-        colour = BLOCK_COLOURS[index % len(BLOCK_COLOURS)]
-        body = add_visible_box(self.client, (side / 2,) * 3, _OUT_OF_SIGHT, UPRIGHT, colour)
-        self._pool[index : index + 1] = [(body, side)]
-        return body
+    def _fit_pool(self, poses: Poses) -> None:
+        """Give every block a body of its side; blocks of one side are made together."""
+        missing: dict[float, list[int]] = {}
+        for i, pose in enumerate(poses):
+            if i >= len(self._pool) or self._pool[i][1] != pose.side:
+                missing.setdefault(pose.side, []).append(i)
+        made = [pair for side, indices in missing.items() for pair in self._make(side, indices)]
+        for i, body, side in sorted(made):
+            for replaced, _ in self._pool[i : i + 1]:
+                pybullet.removeBody(replaced, physicsClientId=self.client)
+                self._num_replaced += 1
+            self._pool[i : i + 1] = [(body, side)]
+
+    def _make(self, side: float, indices: list[int]) -> list[tuple[int, int, float]]:
+        """(Index, body, side) of new blocks."""
+        colours = [BLOCK_COLOURS[i % len(BLOCK_COLOURS)] for i in indices]
+        bodies = add_visible_boxes(self.client, (side / 2,) * 3, colours)
+        return [(i, body, side) for i, body in zip(indices, bodies, strict=True)]
 
     def _clear(self) -> None:
         pybullet.resetSimulation(physicsClientId=self.client)
@@ -73,10 +77,6 @@ class Stage:
 
     def _add_table(self) -> None:
         half = self._half_length
-        add_visible_box(
-            self.client,
-            (half, half, TABLE_THICKNESS / 2),
-            (0.0, 0.0, -TABLE_THICKNESS / 2),
-            UPRIGHT,
-            TABLE_COLOUR,
-        )
+        half_extents = (half, half, TABLE_THICKNESS / 2)
+        (table,) = add_visible_boxes(self.client, half_extents, [TABLE_COLOUR])
+        move_body(self.client, table, (0.0, 0.0, -TABLE_THICKNESS / 2), UPRIGHT)
