@@ -56,7 +56,6 @@ class Scene:
         self.physics = physics or Physics()
         self.exact = exact
         self._world = World(self.workspace, self.physics, is_kept=not exact)
-        self._depth_stage = Stage(self.workspace, has_table=False)
         self._stage: Stage | None = None
         self._camera = OverheadCamera(self.workspace)
         self._poses: Poses = ()
@@ -75,7 +74,6 @@ class Scene:
     def close(self) -> None:
         """Release the physics engine."""
         self._world.close()
-        self._depth_stage.close()
         if self._stage is not None:
             self._stage.close()
 
@@ -167,9 +165,9 @@ class Scene:
         """
         if self.exact:
             return self.photograph()
-        self._depth_stage.show(self._poses)
+        self._world.show(self._poses)
         window = window_of(self._poses, self.workspace)
-        return self._camera.photograph_window(self._depth_stage.client, window)
+        return self._camera.photograph_window(self._world.client, window)
 
     def picture(self, width: int = 480, height: int = 360) -> npt.NDArray[np.uint8]:
         """A view of the table for people, uint8 (height, width, 3)."""
@@ -196,9 +194,14 @@ class Scene:
     def _simulate(self, push: Push, is_touching: bool) -> Generator[None, None, PushOutcome]:
         schedule = PusherSchedule(push, self.physics)
         self._world.build(self._poses)
-        yield from self._move_pusher(schedule)
-        num_settle_steps, is_settled = yield from settle(self._world)
-        before, self._poses = self._poses, self._world.checked_poses()
+        try:
+            yield from self._move_pusher(schedule)
+            num_settle_steps, is_settled = yield from settle(self._world)
+            after = self._world.checked_poses()
+        except SimulationError:
+            self._world.discard()
+            raise
+        before, self._poses = self._poses, after
         return PushOutcome(
             is_touching=is_touching,
             is_settled=is_settled,

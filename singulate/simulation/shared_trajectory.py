@@ -144,6 +144,8 @@ class SharedTrajectories:
                 if motion is None or not _is_same(moving, motion):
                     rest, motion = self._come_to_rest(moving), moving
             except SimulationError:
+                self._pushing.discard()
+                self._settling.discard()
                 yield from (LineEnd(lost.push_index, None) for lost in group[i:])
                 return
             at = end

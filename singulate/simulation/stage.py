@@ -1,32 +1,34 @@
-"""What the cameras see: boxes without physics, kept and moved from scene to scene."""
+"""The table as people see it: boxes without physics, kept and moved from scene to scene."""
 
 from singulate.geometry import Poses, Workspace
-from singulate.simulation.bodies import TABLE_THICKNESS, UPRIGHT, add_visible_boxes, move_body
+from singulate.simulation.bodies import (
+    OUT_OF_SIGHT,
+    TABLE_THICKNESS,
+    UPRIGHT,
+    add_visible_boxes,
+    move_body,
+)
 from singulate.simulation.bullet import pybullet
 from singulate.simulation.fallen import is_fallen
-from singulate.simulation.palette import BLOCK_COLOURS, TABLE_COLOUR
+from singulate.simulation.palette import TABLE_COLOUR, block_colour
 
-_OUT_OF_SIGHT = (0.0, 0.0, 100.0)
 _MAX_REPLACED = 500
 """Bullet frees what belonged to a replaced block (4 KB) only when the whole stage is cleared."""
 
 
 class Stage:
-    """Owns the Bullet connection that pictures are taken of.
+    """Owns the Bullet connection that pictures with the table are taken of.
 
-    Taking a picture must not disturb the physics, and most pushes touch nothing and need no
-    physics at all, so pictures have a world of their own. Its blocks are a pool: block i is moved
-    to where it stands in the next scene, and replaced only where its side changes.
+    Its blocks are a pool: block i is moved to where it stands in the next scene, and replaced only
+    where its side changes.
 
     Args:
         workspace: The square that the table covers.
-        has_table: Whether the table is seen.
     """
 
-    def __init__(self, workspace: Workspace, has_table: bool = True) -> None:
+    def __init__(self, workspace: Workspace) -> None:
         self.client = pybullet.connect(pybullet.DIRECT)
         self._half_length = workspace.half_length
-        self._has_table = has_table
         self._pool: list[tuple[int, float]] = []
         """Body and side of each block, in the order of the blocks."""
         self._num_replaced = 0
@@ -44,10 +46,10 @@ class Stage:
             self._clear()
         self._fit_pool(poses)
         for (body, _), pose in zip(self._pool, poses, strict=False):
-            position = _OUT_OF_SIGHT if is_fallen(pose) else pose.position
+            position = OUT_OF_SIGHT if is_fallen(pose) else pose.position
             move_body(self.client, body, position, pose.quaternion)
         for body, _ in self._pool[len(poses) :]:
-            move_body(self.client, body, _OUT_OF_SIGHT, UPRIGHT)
+            move_body(self.client, body, OUT_OF_SIGHT, UPRIGHT)
 
     def _fit_pool(self, poses: Poses) -> None:
         """Give every block a body of its side; blocks of one side are made together."""
@@ -64,7 +66,7 @@ class Stage:
 
     def _make(self, side: float, indices: list[int]) -> list[tuple[int, int, float]]:
         """(Index, body, side) of new blocks."""
-        colours = [BLOCK_COLOURS[i % len(BLOCK_COLOURS)] for i in indices]
+        colours = [block_colour(i) for i in indices]
         bodies = add_visible_boxes(self.client, (side / 2,) * 3, colours)
         return [(i, body, side) for i, body in zip(indices, bodies, strict=True)]
 
@@ -72,8 +74,7 @@ class Stage:
         pybullet.resetSimulation(physicsClientId=self.client)
         self._pool.clear()
         self._num_replaced = 0
-        if self._has_table:
-            self._add_table()
+        self._add_table()
 
     def _add_table(self) -> None:
         half = self._half_length

@@ -2,13 +2,19 @@
 
 import itertools
 import math
-from collections.abc import Sequence
 
 from singulate.exceptions import SimulationError
 from singulate.geometry import BlockPose, Poses, Workspace
-from singulate.simulation.bodies import TABLE_THICKNESS, UPRIGHT, Vector3, add_solid_boxes
+from singulate.simulation.bodies import (
+    TABLE_THICKNESS,
+    UPRIGHT,
+    Vector3,
+    add_solid_boxes,
+    move_body,
+)
 from singulate.simulation.bullet import pybullet
 from singulate.simulation.fallen import is_fallen, on_the_floor
+from singulate.simulation.palette import block_colour
 from singulate.simulation.physics import Physics
 
 _PARKED_Z = 50.0
@@ -44,6 +50,8 @@ class World:
         self.physics = physics
         self._is_kept = is_kept
         self._num_kept = 0
+        self._untouched: Poses | None = None
+        """The blocks that were put up and since then only looked at."""
         self._pusher = -1
         self._blocks: list[int | None] = []
         self._fallen: dict[int, BlockPose] = {}
@@ -60,6 +68,25 @@ class World:
 
     def build(self, poses: Poses) -> None:
         """Put up the blocks at rest, with the pusher parked, as in a world that is new."""
+        if poses != self._untouched:
+            self._make(poses)
+        self._untouched = None
+
+    def show(self, poses: Poses) -> None:
+        """Put the blocks where they stand, for a picture; the pusher is out of sight."""
+        if poses == self._untouched:
+            return
+        if not self._fits(poses):
+            self._make(poses)
+            self._untouched = poses
+            return
+        self._untouched = None
+        self.park_pusher()
+        for body, pose in zip(self._blocks, poses, strict=True):
+            if body is not None:
+                move_body(self.client, body, pose.position, pose.quaternion)
+
+    def _make(self, poses: Poses) -> None:
         if self._can_be_emptied():
             self._empty()
         else:
@@ -68,8 +95,13 @@ class World:
         self._sides = [pose.side for pose in poses]
         self._fallen = {i: pose for i, pose in enumerate(poses) if is_fallen(pose)}
         self._num_fallen_at_first = len(self._fallen)
-        bodies = iter(self._add_blocks([pose for pose in poses if not is_fallen(pose)]))
-        self._blocks = [None if i in self._fallen else next(bodies) for i in range(len(poses))]
+        self._blocks = self._add_blocks(poses)
+
+    def discard(self) -> None:
+        """Let nothing stay for the next scene, because the physics went wrong."""
+        self._num_kept = 0
+        self._saved = -1
+        self._untouched = None
 
     def save(self) -> None:
         """Remember this moment for `go_back`, until the world is built again."""
@@ -137,7 +169,7 @@ class World:
             SimulationError: If one is not finite.
         """
         poses = self.block_poses()
-        if not _are_finite(poses):
+        if not all(math.isfinite(v) for pose in poses for v in (*pose.position, *pose.quaternion)):
             raise SimulationError("a block's pose is not finite; the scene is as before the push")
         return poses
 
@@ -153,7 +185,7 @@ class World:
     def set_motion(self, motion: Motion) -> None:
         """Let the blocks of this world move as in another one that was built alike."""
         poses = tuple(pose for pose, _, _ in motion)
-        if any(
+        if self._num_kept == 0 or any(
             (body is None) != is_fallen(pose)
             for body, pose in zip(self._blocks, poses, strict=True)
         ):
@@ -192,14 +224,23 @@ class World:
         )
         return BlockPose(position, quaternion, side)
 
+    def _fits(self, poses: Poses) -> bool:
+        """Whether the bodies are those of these blocks, wherever they stand."""
+        return (
+            self._num_kept > 0
+            and len(poses) == len(self._blocks)
+            and all(
+                pose.side == side and (body is None) == is_fallen(pose)
+                for pose, side, body in zip(poses, self._sides, self._blocks, strict=True)
+            )
+        )
+
     def _can_be_emptied(self) -> bool:
         """Whether nothing has happened that would be remembered."""
         return (
             self._is_kept
             and 0 < self._num_kept < _MAX_KEPT
             and len(self._fallen) == self._num_fallen_at_first
-            and _are_finite(self.block_poses())
-            and all(map(math.isfinite, self.pusher_pose()))
         )
 
     def _empty(self) -> None:
@@ -267,21 +308,21 @@ class World:
         )
         return body
 
-    def _add_blocks(self, poses: Sequence[BlockPose]) -> list[int]:
-        """Bodies of blocks in their order; neighbours of one side are made together."""
+    def _add_blocks(self, poses: Poses) -> list[int | None]:
+        """Bodies of the blocks, None of fallen ones; neighbours of one side are made together."""
         physics = self.physics
-        return [
-            body
-            for side, group in itertools.groupby(poses, key=lambda pose: pose.side)
-            for body in add_solid_boxes(
+        standing = [(i, pose) for i, pose in enumerate(poses) if not is_fallen(pose)]
+        bodies: list[int | None] = [None] * len(poses)
+        for side, neighbours in itertools.groupby(standing, key=lambda each: each[1].side):
+            group = list(neighbours)
+            made = add_solid_boxes(
                 self.client,
                 (side / 2,) * 3,
-                [(pose.position, pose.quaternion) for pose in group],
+                [(pose.position, pose.quaternion) for _, pose in group],
                 mass=physics.block_density * side**3,
                 friction=physics.block_friction,
+                colours=[block_colour(i) for i, _ in group],
             )
-        ]
-
-
-def _are_finite(poses: Poses) -> bool:
-    return all(math.isfinite(v) for pose in poses for v in (*pose.position, *pose.quaternion))
+            for (i, _), body in zip(group, made, strict=True):
+                bodies[i] = body
+        return bodies
