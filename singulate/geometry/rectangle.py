@@ -1,12 +1,16 @@
 """Oriented rectangles on the table: corners, overlap and distance."""
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 import numpy.typing as npt
 
 Polygon = npt.NDArray[np.float64]
 """Corners of a convex polygon in order, shape (K, 2) [m]."""
+
+Corner = tuple[float, float]
+"""(x, y) [m]."""
 
 
 def rectangle(
@@ -26,16 +30,21 @@ def penetration(a: Polygon, b: Polygon) -> float:
 
     The separating-axis test: the smallest overlap of the two projections over all edge normals.
     """
-    return min(_overlap_on_normals(a, b), _overlap_on_normals(b, a))
+    corners, others = a.tolist(), b.tolist()
+    return min(_overlap_on_normals(corners, others), _overlap_on_normals(others, corners))
 
 
-def _overlap_on_normals(a: Polygon, b: Polygon) -> float:
-    edges = np.roll(a, -1, axis=0) - a
-    normals = np.stack([edges[:, 1], -edges[:, 0]], axis=1)  # (K, 2), outward
-    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    reach = (normals * a).sum(axis=1)  # (K,) support of a along its own normals
-    nearest = (normals @ b.T).min(axis=1)  # (K,)
-    return float((reach - nearest).min())
+def _overlap_on_normals(a: Sequence[Corner], b: Sequence[Corner]) -> float:
+    # A few corners are sooner looked at one by one than handed to NumPy.
+    overlap = math.inf
+    x0, y0 = a[-1]
+    for x1, y1 in a:
+        nx, ny = y1 - y0, x0 - x1  # outward
+        reach = nx * x1 + ny * y1
+        nearest = min([nx * x + ny * y for x, y in b])
+        overlap = min(overlap, (reach - nearest) / math.hypot(nx, ny))
+        x0, y0 = x1, y1
+    return overlap
 
 
 def distance(a: Polygon, b: Polygon) -> float:

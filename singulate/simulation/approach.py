@@ -1,16 +1,14 @@
 """How far the pusher can move before it may touch anything."""
 
 import math
-
-import numpy as np
-import numpy.typing as npt
+from collections.abc import Sequence
 
 from singulate.geometry import Poses, Push
-from singulate.geometry.rectangle import Polygon
 from singulate.simulation.fallen import is_fallen
 from singulate.simulation.footprint import SWEEP_MARGIN, block_footprint
 
-Points = npt.NDArray[np.float64]
+AlongAcross = tuple[float, float]
+"""A point by its place along a line and to the left of it [m]."""
 
 
 def free_length(poses: Poses, push: Push, pusher_side: float) -> float:
@@ -52,28 +50,34 @@ def block_intervals(
         (First, last) [m] from the origin, along the direction, of each block's part in the strip;
         blocks that do not reach into the strip are left out.
     """
-    along = np.asarray(direction)
-    across = np.array([-along[1], along[0]])
+    (x0, y0), (ux, uy) = origin, direction
     intervals = []
     for pose in poses:
         if is_fallen(pose):
             continue
-        footprint = block_footprint(pose) - np.asarray(origin)
-        inside = _cut(_cut(footprint, across, half_width), -across, half_width)
-        if len(inside):
-            reach = inside @ along
-            intervals.append((float(reach.min()), float(reach.max())))
+        footprint = [
+            (x * ux + y * uy, y * ux - x * uy)
+            for x, y in (block_footprint(pose) - (x0, y0)).tolist()
+        ]
+        inside = _cut(_cut(footprint, 1.0, half_width), -1.0, half_width)
+        if inside:
+            reach = [along for along, _ in inside]
+            intervals.append((min(reach), max(reach)))
     return intervals
 
 
-def _cut(polygon: Polygon, normal: Points, limit: float) -> Points:
-    """The part of a convex polygon on which ``normal . x <= limit``, shape (K, 2)."""
-    excess = polygon @ normal - limit
+def _cut(polygon: Sequence[AlongAcross], sign: float, limit: float) -> list[AlongAcross]:
+    """The part of a convex polygon on which ``sign * across <= limit``."""
     corners = []
-    for i in range(len(polygon)):
-        a, b = excess[i - 1], excess[i]
+    for (along0, across0), (along1, across1) in zip(
+        (*polygon[-1:], *polygon[:-1]), polygon, strict=True
+    ):
+        a, b = sign * across0 - limit, sign * across1 - limit
         if (a <= 0.0) != (b <= 0.0):
-            corners.append(polygon[i - 1] + (polygon[i] - polygon[i - 1]) * (a / (a - b)))
+            share = a / (a - b)
+            corners.append(
+                (along0 + (along1 - along0) * share, across0 + (across1 - across0) * share)
+            )
         if b <= 0.0:
-            corners.append(polygon[i])
-    return np.array(corners).reshape(-1, 2)
+            corners.append((along1, across1))
+    return corners

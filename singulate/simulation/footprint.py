@@ -1,6 +1,7 @@
 """What a push covers on the table, and which blocks stand there."""
 
 import itertools
+from functools import lru_cache
 
 import cv2
 import numpy as np
@@ -15,13 +16,18 @@ SWEEP_MARGIN = 0.01
 _CORNERS = np.array(list(itertools.product((-0.5, 0.5), repeat=3)))  # (8, 3)
 
 
+@lru_cache(maxsize=1024)
 def block_footprint(pose: BlockPose) -> Polygon:
-    """Outline of a block seen from above, also of a tipped one, shape (K, 2) [m]."""
+    """Outline of a block seen from above, also of a tipped one, shape (K, 2) [m], read-only.
+
+    Each push asks for it a few times.
+    """
     corners = _CORNERS * pose.side @ _rotation(pose.quaternion).T  # (8, 3)
     outline = cv2.convexHull(corners[:, :2].astype(np.float32))[:, 0, :]
     if cv2.contourArea(outline, oriented=True) < 0.0:
         outline = outline[::-1]
     footprint: Polygon = outline.astype(np.float64) + np.asarray(pose.position[:2])
+    footprint.flags.writeable = False
     return footprint
 
 

@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from singulate.exceptions import InvalidValueError, SimulationError
 from singulate.geometry import CameraFrame, Layout, Poses, Push, Workspace, standing_pose
-from singulate.geometry.rectangle import penetration
+from singulate.geometry.rectangle import Polygon, penetration
 from singulate.simulation.camera import OverheadCamera, picture
 from singulate.simulation.fallen import is_fallen
 from singulate.simulation.footprint import (
@@ -179,11 +179,11 @@ class Scene:
         self._stage.show(self._poses)
         return self._stage
 
-    def _meets(self, footprint: npt.NDArray[np.float64], depth: float) -> bool:
-        centre = footprint.mean(axis=0)
-        reach = np.linalg.norm(footprint - centre, axis=1).max()
+    def _meets(self, footprint: Polygon, depth: float) -> bool:
+        (x0, y0), _, (x1, y1), _ = footprint.tolist()
+        x, y, reach = (x0 + x1) / 2, (y0 + y1) / 2, math.hypot(x1 - x0, y1 - y0) / 2
         for pose in self._poses:
-            gap = math.hypot(pose.position[0] - centre[0], pose.position[1] - centre[1])
+            gap = math.hypot(pose.position[0] - x, pose.position[1] - y)
             # No part of a cube is further from its centre than 0.87 of its side.
             if is_fallen(pose) or gap > reach + 0.87 * pose.side - depth:
                 continue
