@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 
 @dataclass(frozen=True)
@@ -49,7 +50,7 @@ class Physics:
     max_settle_steps: int = 200
     max_speed: float = 10.0
 
-    @property
+    @cached_property
     def pusher_z(self) -> float:
         """Height of the pusher's centre while it pushes [m]."""
         return self.pusher_clearance + self.pusher_height / 2

@@ -23,7 +23,7 @@ from singulate.simulation.outcome import PushFrame, PushOutcome
 from singulate.simulation.physics import Physics
 from singulate.simulation.pixel_window import window_of
 from singulate.simulation.schedule import PusherSchedule
-from singulate.simulation.settling import is_still, settle
+from singulate.simulation.settling import Speeds, is_still, num_moving_steps, settle
 from singulate.simulation.stage import Stage
 from singulate.simulation.world import World
 
@@ -229,9 +229,12 @@ class Scene:
             raise SimulationError(
                 f"the pusher stopped {error:.3g} m off its path; the scene is as before the push"
             )
-        is_free = False
+        is_free, next_look = False, schedule.num_push_steps + 1
         for i in range(schedule.num_push_steps + 1, schedule.num_steps + 1):
-            is_free = is_free or (not self.exact and self._is_left_alone())
+            if not (is_free or self.exact) and i >= next_look:
+                speeds = world.block_speeds()
+                is_free = self._is_left_alone(speeds)
+                next_look = i + num_moving_steps(speeds, self.physics)
             if is_free:
                 world.place_pusher(*schedule.position(i), push.yaw)
             else:
@@ -242,7 +245,6 @@ class Scene:
     def _num_free_steps(self, schedule: PusherSchedule) -> int:
         return 0 if self.exact else schedule.num_free_steps(self._poses)
 
-    def _is_left_alone(self) -> bool:
+    def _is_left_alone(self, speeds: Speeds) -> bool:
         """Whether the blocks lie still and nothing that the pusher does will move them."""
-        speeds = self._world.block_speeds()
         return is_still(speeds, self.physics.settle_speed) and not self._world.is_pusher_touching()

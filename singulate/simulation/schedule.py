@@ -7,7 +7,7 @@ from singulate.geometry import Poses, Push
 from singulate.simulation.approach import free_length
 from singulate.simulation.physics import Physics
 
-LEAD_STEPS = 30
+LEAD_STEPS = 20
 """Simulated steps before the first contact. Blocks settle by some micrometres once they are put up;
 a pusher that met them on the way left them elsewhere than the plain push does: with 20 steps by
 1.1 mm in the median, where 1 mm of a start makes 0.8 mm; with 30 by 0.7 mm."""
@@ -48,10 +48,11 @@ class PusherSchedule:
 
     def position(self, step: int) -> tuple[float, float, float]:
         """Where the pusher's centre is after a step, (x, y, z) [m]."""
-        push, num_push_steps = self.push, self.num_push_steps
-        along = push.length * min(step, num_push_steps) / num_push_steps
-        (x, y), (dx, dy) = push.start, push.direction
-        z = self.physics.pusher_z
+        push, physics, num_push_steps = self.push, self.physics, self.num_push_steps
+        z = physics.pusher_z
         if step > num_push_steps:
-            z += self.physics.retract_height * (step - num_push_steps) / self.physics.num_lift_steps
+            z += physics.retract_height * (step - num_push_steps) / physics.num_lift_steps
+            step = num_push_steps
+        along = push.length * step / num_push_steps
+        (x, y), (dx, dy) = push.start, push.direction
         return x + along * dx, y + along * dy, z

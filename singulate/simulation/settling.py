@@ -7,6 +7,9 @@ from singulate.exceptions import SimulationError
 from singulate.simulation.physics import Physics
 from singulate.simulation.world import World
 
+Speeds = list[tuple[float, float]]
+"""Speed [m/s] and turning speed [rad/s] of each block."""
+
 _MIN_UNSEEN_STEPS = 3
 """Looking at every block after every step takes as long as the step."""
 
@@ -40,20 +43,20 @@ def settle(world: World) -> Generator[None, None, tuple[int, bool]]:
         if num_steps == physics.max_settle_steps:
             return num_steps, False
         for _ in range(
-            min(_num_moving_steps(speeds, physics), physics.max_settle_steps - num_steps)
+            min(num_moving_steps(speeds, physics), physics.max_settle_steps - num_steps)
         ):
             world.step()
             num_steps += 1
             yield
 
 
-def is_still(speeds: list[tuple[float, float]], limit: float) -> bool:
+def is_still(speeds: Speeds, limit: float) -> bool:
     """Whether no block moves faster than a limit [m/s], nor turns faster than ten of it [rad/s]."""
     return all(linear < limit and angular < 10 * limit for linear, angular in speeds)
 
 
-def _num_moving_steps(speeds: list[tuple[float, float]], physics: Physics) -> int:
-    """Steps in which friction with the table alone cannot stop the fastest block.
+def num_moving_steps(speeds: Speeds, physics: Physics) -> int:
+    """Steps in which friction with the table alone cannot stop the fastest block; at least a few.
 
     A block that something else stops sooner merely lies still for a while.
     """
@@ -63,7 +66,7 @@ def _num_moving_steps(speeds: list[tuple[float, float]], physics: Physics) -> in
     return min(max(num_steps, _MIN_UNSEEN_STEPS), _MAX_UNSEEN_STEPS)
 
 
-def _check(speeds: list[tuple[float, float]], max_speed: float) -> None:
+def _check(speeds: Speeds, max_speed: float) -> None:
     for linear, angular in speeds:
         if not (linear < max_speed and math.isfinite(angular)):
             raise SimulationError(

@@ -132,13 +132,11 @@ class World:
 
     def drive_pusher(self, x: float, y: float, z: float) -> None:
         """Advance one time step, in which the pusher moves to a position [m]."""
-        position, _ = pybullet.getBasePositionAndOrientation(
-            self._pusher, physicsClientId=self.client
-        )
-        dt = self.physics.time_step
-        velocity = [(x - position[0]) / dt, (y - position[1]) / dt, (z - position[2]) / dt]
-        pybullet.resetBaseVelocity(self._pusher, velocity, _ZERO, physicsClientId=self.client)
-        pybullet.stepSimulation(physicsClientId=self.client)
+        pusher, client, dt = self._pusher, self.client, self.physics.time_step
+        (px, py, pz), _ = pybullet.getBasePositionAndOrientation(pusher, client)
+        velocity = ((x - px) / dt, (y - py) / dt, (z - pz) / dt)
+        pybullet.resetBaseVelocity(pusher, velocity, _ZERO, client)
+        pybullet.stepSimulation(client)
 
     def step(self) -> None:
         """Advance one time step with the pusher parked; it falls freely and is put back in time."""
