@@ -25,4 +25,4 @@ def truncated_inter_object_distance(separations: npt.NDArray[np.float64], goal: 
         >>> truncated_inter_object_distance(np.array([0.25, 0.5, 0.0]), goal=0.375)
         0.625
     """
-    return float(np.minimum(separations, goal).sum())
+    return float(sum(min(separation, goal) for separation in separations.tolist()))

@@ -37,7 +37,7 @@ class Percept:
         """Distance to the closest object, -1 inside, float32 (H, W) [px] (paper, section 3.1)."""
         return distance_map(self.mask)
 
-    @property
+    @cached_property
     def num_segments(self) -> int:
         """How many objects the picture can tell apart, K."""
         return int(self.label_image.max())

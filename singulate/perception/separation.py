@@ -29,26 +29,25 @@ def segment_separations(
         >>> segment_separations(np.array([[1, 0, 0, 2, 0, 3]]), metres_per_pixel=0.5).tolist()
         [1.0, 2.0, 0.5]
     """
-    highest = label_image.max(initial=0)
+    highest = int(label_image.max(initial=0))
     if not np.any((label_image > 0) & (label_image < highest)):
         return np.empty(0)  # most pictures show a single segment
-    row_col, labels = _border_pixels(label_image)
-    first = np.flatnonzero(np.diff(labels, prepend=0))  # where each segment's pixels begin, (K,)
+    row_col, first = _border_pixels(label_image)
     squared = [
         _squared_distances(row_col[:, begin:end], row_col[:, end:], first[i + 1 :] - end)
-        for i, (begin, end) in enumerate(itertools.pairwise(first))
+        for i, (begin, end) in enumerate(itertools.pairwise(first.tolist()))
     ]
     return (np.sqrt(np.concatenate(squared), dtype=np.float64) - 1.0) * metres_per_pixel
 
 
-def _border_pixels(label_image: npt.NDArray[np.integer]) -> tuple[IntArray, IntArray]:
+def _border_pixels(label_image: npt.NDArray[np.integer]) -> tuple[IntArray, npt.NDArray[np.intp]]:
     """Segment pixels with a neighbour outside their segment, sorted by segment.
 
     The pair of pixels that is closest between two segments always lies on their borders: from a
     pixel with four neighbours in its own segment, one step leads closer to the other segment.
 
     Returns:
-        (row, column) (2, P) and segment (P,) of each.
+        (row, column) of each (2, P), and the index at which each segment's begin (K,).
     """
     height, width = label_image.shape
     padded = np.zeros((height + 2, width + 2), dtype=np.int32)
@@ -56,13 +55,16 @@ def _border_pixels(label_image: npt.NDArray[np.integer]) -> tuple[IntArray, IntA
     flat, step = padded.ravel(), width + 2
     at = np.flatnonzero(flat)
     labels = flat[at]
-    is_inner = flat[at - 1] == labels
+    is_border = flat[at - 1] != labels
     for neighbour in (1, -step, step):
-        is_inner &= flat[at + neighbour] == labels
-    at, labels = at[~is_inner], labels[~is_inner]
+        is_border |= flat[at + neighbour] != labels
+    at, labels = at[is_border], labels[is_border]
     order = np.argsort(labels, kind="stable")
-    row_col = np.stack(np.divmod(at[order], step)).astype(np.int32)
-    return row_col, labels[order]
+    at, labels = at[order], labels[order]
+    row_col = np.empty((2, at.size), dtype=np.int32)
+    np.divmod(at, step, out=(row_col[0], row_col[1]), casting="unsafe")
+    first = np.flatnonzero(np.concatenate(([True], labels[1:] != labels[:-1])))
+    return row_col, first
 
 
 def _squared_distances(

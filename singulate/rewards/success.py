@@ -1,7 +1,5 @@
 """r_Success: pays once the objects are singulated (paper, Eq. 6)."""
 
-import numpy as np
-
 from singulate.perception import Percept
 
 
@@ -19,7 +17,9 @@ def is_success(percept: Percept, num_blocks: int, goal: float) -> bool:
     Returns:
         True if the picture shows `num_blocks` segments and each separation is at least `goal`.
     """
-    return percept.num_segments == num_blocks and bool(np.all(percept.separations >= goal))
+    return percept.num_segments == num_blocks and all(
+        separation >= goal for separation in percept.separations.tolist()
+    )
 
 
 def success_reward(is_success: bool) -> float:

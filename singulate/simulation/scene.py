@@ -23,9 +23,9 @@ from singulate.simulation.outcome import PushFrame, PushOutcome
 from singulate.simulation.physics import Physics
 from singulate.simulation.pixel_window import window_of
 from singulate.simulation.schedule import PusherSchedule
-from singulate.simulation.settling import Speeds, is_still, num_moving_steps, settle
+from singulate.simulation.settling import check_speeds, is_still, num_moving_steps, settle
 from singulate.simulation.stage import Stage
-from singulate.simulation.world import World
+from singulate.simulation.world import TopSpeeds, World
 
 MAX_PUSHER_ERROR = 0.02
 """A pusher further than this from its target means that the physics went wrong [m]."""
@@ -196,6 +196,7 @@ class Scene:
         self._world.build(self._poses)
         try:
             yield from self._move_pusher(schedule)
+            self._world.take_away_fallen()
             num_settle_steps, is_settled = yield from settle(self._world)
             after = self._world.checked_poses()
         except SimulationError:
@@ -232,7 +233,9 @@ class Scene:
         is_free, next_look = False, schedule.num_push_steps + 1
         for i in range(schedule.num_push_steps + 1, schedule.num_steps + 1):
             if not (is_free or self.exact) and i >= next_look:
-                speeds = world.block_speeds()
+                world.take_away_fallen()
+                speeds = world.top_speeds()
+                check_speeds(speeds, self.physics.max_speed)
                 is_free = self._is_left_alone(speeds)
                 next_look = i + num_moving_steps(speeds, self.physics)
             if is_free:
@@ -245,6 +248,6 @@ class Scene:
     def _num_free_steps(self, schedule: PusherSchedule) -> int:
         return 0 if self.exact else schedule.num_free_steps(self._poses)
 
-    def _is_left_alone(self, speeds: Speeds) -> bool:
+    def _is_left_alone(self, speeds: TopSpeeds) -> bool:
         """Whether the blocks lie still and nothing that the pusher does will move them."""
         return is_still(speeds, self.physics.settle_speed) and not self._world.is_pusher_touching()

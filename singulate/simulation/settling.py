@@ -5,10 +5,7 @@ from collections.abc import Generator
 
 from singulate.exceptions import SimulationError
 from singulate.simulation.physics import Physics
-from singulate.simulation.world import World
-
-Speeds = list[tuple[float, float]]
-"""Speed [m/s] and turning speed [rad/s] of each block."""
+from singulate.simulation.world import TopSpeeds, World
 
 _MIN_UNSEEN_STEPS = 3
 """Looking at every block after every step takes as long as the step."""
@@ -31,13 +28,12 @@ def settle(world: World) -> Generator[None, None, tuple[int, bool]]:
     """
     physics = world.physics
     num_steps, looked_at = 0, 0
-    world.remove_fallen()
     while True:
         if num_steps - looked_at >= _MAX_UNSEEN_STEPS or num_steps == physics.max_settle_steps:
-            world.remove_fallen()
+            world.take_away_fallen()
             looked_at = num_steps
-        speeds = world.block_speeds()
-        _check(speeds, physics.max_speed)
+        speeds = world.top_speeds()
+        check_speeds(speeds, physics.max_speed)
         if is_still(speeds, physics.settle_speed):
             return num_steps, True
         if num_steps == physics.max_settle_steps:
@@ -50,25 +46,24 @@ def settle(world: World) -> Generator[None, None, tuple[int, bool]]:
             yield
 
 
-def is_still(speeds: Speeds, limit: float) -> bool:
+def is_still(speeds: TopSpeeds, limit: float) -> bool:
     """Whether no block moves faster than a limit [m/s], nor turns faster than ten of it [rad/s]."""
-    return all(linear < limit and angular < 10 * limit for linear, angular in speeds)
+    return speeds.linear < limit and speeds.angular < 10 * limit
 
 
-def num_moving_steps(speeds: Speeds, physics: Physics) -> int:
+def num_moving_steps(speeds: TopSpeeds, physics: Physics) -> int:
     """Steps in which friction with the table alone cannot stop the fastest block; at least a few.
 
     A block that something else stops sooner merely lies still for a while.
     """
     loss = physics.table_friction * physics.block_friction * physics.gravity * physics.time_step
-    fastest = max((linear for linear, _ in speeds), default=0.0)
-    num_steps = int((fastest - physics.settle_speed) / loss)
+    num_steps = int((speeds.linear - physics.settle_speed) / loss)
     return min(max(num_steps, _MIN_UNSEEN_STEPS), _MAX_UNSEEN_STEPS)
 
 
-def _check(speeds: Speeds, max_speed: float) -> None:
-    for linear, angular in speeds:
-        if not (linear < max_speed and math.isfinite(angular)):
-            raise SimulationError(
-                f"a block reached {linear:.3g} m/s; the scene is as before the push"
-            )
+def check_speeds(speeds: TopSpeeds, max_speed: float) -> None:
+    """Raise a `SimulationError` if a block is so fast that the physics went wrong."""
+    if not (speeds.linear < max_speed and math.isfinite(speeds.angular)):
+        raise SimulationError(
+            f"a block reached {speeds.linear:.3g} m/s; the scene is as before the push"
+        )

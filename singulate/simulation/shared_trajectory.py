@@ -155,14 +155,15 @@ class SharedTrajectories:
         """Move the pusher along the line in whole time steps at its speed, or a little slower."""
         world, physics = self._pushing, self._physics
         num_steps = math.ceil((end - begin) / (physics.push_speed * physics.time_step) - 1e-9)
+        (x, y), (dx, dy), z = line.start, line.direction, physics.pusher_z
         for i in range(1, num_steps + 1):
             at = begin + (end - begin) * i / num_steps
-            world.drive_pusher(*_point(line, at), physics.pusher_z)
+            world.drive_pusher(x + at * dx, y + at * dy, z)
         if num_steps and not math.dist(world.pusher_pose()[:2], _point(line, end)) < (
             MAX_PUSHER_ERROR
         ):
             raise SimulationError("the pusher left its path")
-        world.remove_fallen()
+        world.take_away_fallen()
 
     def _come_to_rest(self, motion: Motion) -> Poses:
         self._settling.set_motion(motion)
