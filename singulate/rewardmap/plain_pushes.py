@@ -20,6 +20,8 @@ PUSHES_PER_TASK = 3
 IDLE_PUSHES_PER_TASK = 100
 """Starts in a task of an exact map, where few pushes move anything."""
 _POLL_S = 0.02
+_INSIDE = 1e6
+"""Added to a distance [px] it makes a key of its own, and leaves all of its digits."""
 
 FloatMap = npt.NDArray[np.float32]
 Cells = npt.NDArray[np.int64]
@@ -74,8 +76,8 @@ def survey(prober: Prober, task: tuple[RewardMapRequest, int]) -> FloatMap:
     is_inside = np.broadcast_to(blocked_starts(poses, *grid), (4, resolution, resolution))
     is_reaching = reaching_starts(poses, *grid)
     distances = _distances(prober, poses, resolution)
-    keys = np.stack([distances.ravel(), is_inside.ravel()], axis=1)
-    _, firsts, inverse = np.unique(keys, axis=0, return_index=True, return_inverse=True)
+    keys = distances.astype(np.float64) + _INSIDE * is_inside
+    _, firsts, inverse = np.unique(keys, return_index=True, return_inverse=True)
     reward = make_reward(request.reward)
     rewards = [
         reward.total(

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from singulate.envs.push_task import PushTask
 from singulate.exceptions import SimulationError
 from singulate.geometry import Poses, Push, Workspace
-from singulate.perception import Percept
+from singulate.perception import Percept, perceive
 from singulate.rewards import TERMS, Transition, reward_terms
 from singulate.simulation.shared_trajectory import SharedTrajectories
 
@@ -80,11 +80,14 @@ class Prober:
             if end.poses is None:
                 continue  # paid nothing
             if end.poses is not rest:
-                self._task.restore(end.poses)
-                rest, after = end.poses, self._task.percept
+                rest = end.poses
+                after = before if rest is poses else self._look_at_end(rest)
             push = pushes[end.push_index]
             terms[end.push_index] = self._terms(before, push, after, False, len(poses))
         return terms
+
+    def _look_at_end(self, poses: Poses) -> Percept:
+        return perceive(self._shared.photograph(poses), self.workspace)
 
     def idle_terms(self, poses: Poses, push: Push, is_inside: bool) -> dict[str, float]:
         """The unweighted reward terms of a push that moves nothing."""

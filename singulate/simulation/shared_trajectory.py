@@ -11,10 +11,12 @@ from types import TracebackType
 from typing import NamedTuple, Self
 
 from singulate.exceptions import InvalidValueError, SimulationError
-from singulate.geometry import Poses, Push, Workspace
+from singulate.geometry import CameraFrame, Poses, Push, Workspace
 from singulate.simulation.approach import block_intervals
+from singulate.simulation.camera import OverheadCamera
 from singulate.simulation.footprint import SWEEP_MARGIN
 from singulate.simulation.physics import Physics
+from singulate.simulation.pixel_window import window_of
 from singulate.simulation.scene import MAX_PUSHER_ERROR
 from singulate.simulation.settling import settle
 from singulate.simulation.world import Motion, World
@@ -64,6 +66,8 @@ class SharedTrajectories:
         self._physics = physics
         self._pushing = World(workspace, physics)
         self._settling = World(workspace, physics)
+        self._camera = OverheadCamera(workspace)
+        self._workspace = workspace
         self._poses: Poses = ()
 
     def __enter__(self) -> Self:
@@ -104,6 +108,12 @@ class SharedTrajectories:
         starts = [_Start(i, _offset(line, push)) for i, push in enumerate(pushes)]
         for contact, group in self._groups(line, starts):
             yield from self._follow(line, contact, group)
+
+    def photograph(self, poses: Poses) -> CameraFrame:
+        """What the camera sees of an end: soonest while it is the last that was yielded."""
+        self._settling.show(poses)
+        window = window_of(poses, self._workspace)
+        return self._camera.photograph_window(self._settling.client, window)
 
     def _put_up(self) -> None:
         """Build the world of the pusher and let the blocks settle, as before any push."""
@@ -163,7 +173,6 @@ class SharedTrajectories:
             MAX_PUSHER_ERROR
         ):
             raise SimulationError("the pusher left its path")
-        world.take_away_fallen()
 
     def _come_to_rest(self, motion: Motion) -> Poses:
         self._settling.set_motion(motion)

@@ -67,6 +67,8 @@ class World:
         self._num_kept = 0
         self._untouched: Poses | None = None
         """The blocks that were put up and since then only looked at."""
+        self._standing: Poses | None = None
+        """Where the blocks stand, as long as that is known, with the pusher out of sight."""
         self._pusher = -1
         self._blocks: list[int | None] = []
         """Bodies; None of blocks that had fallen before."""
@@ -86,26 +88,27 @@ class World:
         """Put up the blocks at rest, with the pusher parked, as in a world that is new."""
         if poses != self._untouched:
             self._make(poses)
-        self._untouched = None
+        self._untouched = self._standing = None
 
     def show(self, poses: Poses) -> None:
         """Put the blocks where they stand, for a picture; the pusher is out of sight."""
-        if poses == self._untouched:
+        if poses is self._standing or poses == self._untouched:
             return
-        if not self._fits(poses):
+        if self._fits(poses):
+            self._untouched = None
+            self.park_pusher()
+            for i, pose in enumerate(poses):
+                self._put_block(i, pose)
+        else:
             self._make(poses)
             self._untouched = poses
-            return
-        self._untouched = None
-        self.park_pusher()
-        for i, pose in enumerate(poses):
-            self._put_block(i, pose)
+        self._standing = poses
 
     def discard(self) -> None:
         """Let nothing stay for the next scene, because the physics went wrong."""
         self._num_kept = 0
         self._saved = -1
-        self._untouched = None
+        self._untouched = self._standing = None
 
     def save(self) -> None:
         """Remember this moment for `go_back`, until the world is built again."""
@@ -120,10 +123,12 @@ class World:
         if self._saved >= 0:
             pybullet.restoreState(stateId=self._saved, physicsClientId=self.client)
             self._fallen = dict(self._fallen_at_first)
+            self._standing = None
         return self._saved >= 0
 
     def place_pusher(self, x: float, y: float, z: float, yaw: float) -> None:
         """Put the pusher somewhere without a move, position of its centre [m] and yaw [rad]."""
+        self._standing = None
         self._teleport_pusher((x, y, z), yaw)
 
     def is_pusher_touching(self) -> bool:
@@ -136,6 +141,7 @@ class World:
 
     def drive_pusher(self, x: float, y: float, z: float) -> None:
         """Advance one time step, in which the pusher moves to a position [m]."""
+        self._standing = None
         pusher, client, dt = self._pusher, self.client, self.physics.time_step
         (px, py, pz), _ = pybullet.getBasePositionAndOrientation(pusher, client)
         velocity = ((x - px) / dt, (y - py) / dt, (z - pz) / dt)
@@ -147,7 +153,8 @@ class World:
         if self._num_parked_steps % _PARK_EVERY == 0:
             self.park_pusher()
         self._num_parked_steps += 1
-        pybullet.stepSimulation(physicsClientId=self.client)
+        self._standing = None
+        pybullet.stepSimulation(self.client)
 
     def pusher_pose(self) -> tuple[float, float, float, float]:
         """Position (x, y, z) [m] and yaw [rad] of the pusher."""
@@ -165,29 +172,31 @@ class World:
         )
 
     def checked_poses(self) -> Poses:
-        """`block_poses`, as long as they are numbers.
+        """`block_poses` once the pusher is parked, as long as they are numbers.
 
         Raises:
             SimulationError: If one is not finite.
         """
         poses = self.block_poses()
-        if not all(math.isfinite(v) for pose in poses for v in (*pose.position, *pose.quaternion)):
+        if not math.isfinite(sum(sum(pose.position) + sum(pose.quaternion) for pose in poses)):
             raise SimulationError("a block's pose is not finite; the scene is as before the push")
+        self._standing = poses
         return poses
 
     def motion(self) -> Motion:
-        """How the blocks move now; those that have fallen off are still."""
+        """How the blocks move now; those that have left the table are taken away and still."""
         return tuple(
             (pose, _ZERO, _ZERO)
             if i in self._fallen
             else (pose, *pybullet.getBaseVelocity(self._blocks[i], self.client))
-            for i, pose in enumerate(self.block_poses())
+            for i, pose in enumerate(self.take_away_fallen())
         )
 
     def set_motion(self, motion: Motion) -> None:
         """Let the blocks of this world move as in another one that was built alike."""
         if self._num_kept == 0:
             self.build(tuple(pose for pose, _, _ in motion))
+        self._standing = None
         for i, (pose, linear, angular) in enumerate(motion):
             self._put_block(i, pose)
             if i not in self._fallen:
@@ -206,11 +215,19 @@ class World:
             return TopSpeeds(math.nan, math.nan)
         return TopSpeeds(max(linear, default=0.0), max(angular, default=0.0))
 
-    def take_away_fallen(self) -> None:
-        """Take blocks that have left the table out of the way, down to the floor."""
-        for i in range(len(self._blocks)):
-            if i not in self._fallen and is_fallen(pose := self._read_pose(i)):
+    def take_away_fallen(self) -> Poses:
+        """Take blocks that have left the table out of the way, down to the floor.
+
+        Returns:
+            Poses of all blocks then.
+        """
+        poses = self.block_poses()
+        if not any(map(is_fallen, poses)):
+            return poses
+        for i, pose in enumerate(poses):
+            if i not in self._fallen and is_fallen(pose):
                 self._put_block(i, on_the_floor(pose))
+        return self.block_poses()
 
     def _read_pose(self, index: int) -> BlockPose:
         position, quaternion = pybullet.getBasePositionAndOrientation(
