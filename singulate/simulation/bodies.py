@@ -32,7 +32,7 @@ def add_solid_boxes(
     *,
     mass: float,
     friction: float,
-    colours: Sequence[Colour] = (),
+    is_visible: bool = False,
 ) -> list[int]:
     """Add boxes of one size that take part in the physics.
 
@@ -42,7 +42,7 @@ def add_solid_boxes(
         places: Where each of them is.
         mass: Of each [kg]; 0 stands still.
         friction: Lateral friction coefficient.
-        colours: Of each; without them, cameras see none of the boxes.
+        is_visible: Whether cameras see them, all white.
     """
     shape = pybullet.createCollisionShape(
         pybullet.GEOM_BOX, halfExtents=half_extents, physicsClientId=client
@@ -50,7 +50,7 @@ def add_solid_boxes(
     bodies = pybullet.createMultiBody(
         mass,
         shape,
-        _SEEN_AS_ITS_SHAPE if colours else _unseen(client),
+        _SEEN_AS_ITS_SHAPE if is_visible else _unseen(client),
         batchPositions=[position for position, _ in places],
         # Plain rigid bodies step four times faster than Bullet's multibodies here.
         useMaximalCoordinates=True,
@@ -61,7 +61,6 @@ def add_solid_boxes(
         pybullet.changeDynamics(
             body, -1, lateralFriction=friction, activationState=_NEVER_SLEEP, physicsClientId=client
         )
-    _paint(client, bodies, colours)
     return list(bodies)
 
 
@@ -79,7 +78,8 @@ def add_visible_boxes(client: int, half_extents: Vector3, colours: Sequence[Colo
         batchPositions=[_ORIGIN] * len(colours),
         physicsClientId=client,
     )
-    _paint(client, bodies, colours)
+    for body, colour in zip(bodies, colours, strict=True):
+        pybullet.changeVisualShape(body, -1, rgbaColor=colour, physicsClientId=client)
     return list(bodies)
 
 
@@ -98,8 +98,3 @@ def _unseen(client: int) -> int:
             physicsClientId=client,
         )
     )
-
-
-def _paint(client: int, bodies: Sequence[int], colours: Sequence[Colour]) -> None:
-    for body, colour in zip(bodies, colours, strict=False):
-        pybullet.changeVisualShape(body, -1, rgbaColor=colour, physicsClientId=client)

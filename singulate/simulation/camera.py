@@ -33,27 +33,28 @@ class OverheadCamera:
 
     def __init__(self, workspace: Workspace) -> None:
         self._workspace = workspace
+        size = workspace.image_size
+        self._no_colours = np.broadcast_to(np.uint8(_NOTHING), (size, size, 3))
         self._view = pybullet.computeViewMatrix((0, 0, CAMERA_HEIGHT), (0, 0, 0), (0, 1, 0))
 
     def photograph(self, client: int) -> CameraFrame:
         """Picture of the world behind a Bullet connection; where nothing is, there is the table."""
-        return self.photograph_window(client, full_window(self._workspace))
+        rgba, depth = self._draw(client, full_window(self._workspace))
+        return CameraFrame(rgba[..., :3].copy(), depth.astype(np.float32), CAMERA_HEIGHT)
 
     def photograph_window(self, client: int, window: PixelWindow | None) -> CameraFrame:
-        """The same picture, drawn in a window only, outside of which there is nothing to see.
+        """The depth of the same picture, drawn in a window only; its colours are all white.
 
         Args:
             client: The Bullet connection.
             window: Where something can be seen; None where nothing is.
         """
         size = self._workspace.image_size
-        rgb = np.full((size, size, 3), _NOTHING, np.uint8)
         depth = np.full((size, size), CAMERA_HEIGHT, np.float32)
         if window is not None:
             top, bottom, left, right = window
-            part = np.s_[top:bottom, left:right]
-            rgb[part], depth[part] = self._draw(client, window)
-        return CameraFrame(rgb, depth, CAMERA_HEIGHT)
+            _, depth[top:bottom, left:right] = self._draw(client, window)
+        return CameraFrame(self._no_colours, depth, CAMERA_HEIGHT)
 
     def _draw(
         self, client: int, window: PixelWindow
@@ -73,7 +74,7 @@ class OverheadCamera:
         buffer = np.asarray(depth_buffer, np.float64).reshape(height, width)
         depth = _FAR * _NEAR / (_FAR - (_FAR - _NEAR) * buffer)
         depth[buffer >= 1.0] = CAMERA_HEIGHT
-        return np.asarray(rgba, np.uint8).reshape(height, width, 4)[..., :3], depth
+        return np.asarray(rgba, np.uint8).reshape(height, width, 4), depth
 
     def _projection(self, window: PixelWindow) -> Sequence[float]:
         pixel, half = self._workspace.metres_per_pixel, self._workspace.half_length

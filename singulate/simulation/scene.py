@@ -158,10 +158,9 @@ class Scene:
         return self._camera.photograph(self._shown_stage().client)
 
     def photograph_blocks(self) -> CameraFrame:
-        """What the camera sees of the blocks at rest, with the table left out unless `exact`.
+        """What the camera sees of the blocks at rest; unless `exact`, its colours are left white.
 
-        Drawing the table takes most of a picture's time. It is flat, so its depth is filled in;
-        the colours show nothing but the blocks.
+        Drawing the table takes most of a picture's time. It is flat, so its depth is filled in.
         """
         if self.exact:
             return self.photograph()

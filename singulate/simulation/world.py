@@ -15,7 +15,6 @@ from singulate.simulation.bodies import (
 )
 from singulate.simulation.bullet import pybullet
 from singulate.simulation.fallen import is_fallen, on_the_floor
-from singulate.simulation.palette import block_colour
 from singulate.simulation.physics import Physics
 
 _PARKED_Z = 50.0
@@ -166,10 +165,8 @@ class World:
 
     def block_poses(self) -> Poses:
         """Poses of all blocks as they are now; a fallen block lies on the floor."""
-        return tuple(
-            self._fallen[i] if i in self._fallen else self._read_pose(i)
-            for i in range(len(self._blocks))
-        )
+        fallen, read = self._fallen, self._read_pose
+        return tuple([fallen[i] if i in fallen else read(i) for i in range(len(self._blocks))])
 
     def checked_poses(self) -> Poses:
         """`block_poses` once the pusher is parked, as long as they are numbers.
@@ -204,16 +201,13 @@ class World:
 
     def top_speeds(self) -> TopSpeeds:
         """Speeds of the fastest blocks on the table."""
-        velocities = [
-            pybullet.getBaseVelocity(body, self.client)
-            for i, body in enumerate(self._blocks)
-            if i not in self._fallen
-        ]
-        linear = [math.hypot(*each) for each, _ in velocities]
-        angular = [math.hypot(*each) for _, each in velocities]
-        if math.isnan(sum(linear) + sum(angular)):
-            return TopSpeeds(math.nan, math.nan)
-        return TopSpeeds(max(linear, default=0.0), max(angular, default=0.0))
+        linear = angular = 0.0
+        for i, body in enumerate(self._blocks):
+            if i not in self._fallen:
+                (vx, vy, vz), (wx, wy, wz) = pybullet.getBaseVelocity(body, self.client)
+                linear = _highest(linear, vx * vx + vy * vy + vz * vz)
+                angular = _highest(angular, wx * wx + wy * wy + wz * wz)
+        return TopSpeeds(math.sqrt(linear), math.sqrt(angular))
 
     def take_away_fallen(self) -> Poses:
         """Take blocks that have left the table out of the way, down to the floor.
@@ -343,8 +337,13 @@ class World:
                 [(pose.position, pose.quaternion) for _, pose in group],
                 mass=physics.block_density * side**3,
                 friction=physics.block_friction,
-                colours=[block_colour(i) for i, _ in group],
+                is_visible=True,
             )
             for (i, _), body in zip(group, made, strict=True):
                 bodies[i] = body
         return bodies
+
+
+def _highest(one: float, other: float) -> float:
+    """The higher of two numbers, or the one that is none."""
+    return one if one > other or math.isnan(one) else other
