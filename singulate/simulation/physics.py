@@ -16,7 +16,8 @@ class Physics:
         time_step: Simulation step [s] (paper, section 4).
         solver_iterations: Iterations of the contact solver a step (paper, section 4).
         gravity: Downward acceleration [m/s^2].
-        push_speed: Constant speed of the pusher along a push [m/s].
+        push_speed: Constant speed of the pusher along a push [m/s]: an eighth of a camera pixel in
+            each time step, so that pushes from the pixels of one line pass the same points.
         retract_speed: Speed at which the pusher is lifted after a push [m/s].
         retract_height: How far it is lifted before it leaves the scene [m].
         pusher_side: Width and depth of the pusher [m].
@@ -35,7 +36,7 @@ class Physics:
     time_step: float = 0.01
     solver_iterations: int = 100
     gravity: float = 9.81
-    push_speed: float = 0.4
+    push_speed: float = 0.390625
     retract_speed: float = 1.5
     retract_height: float = 0.3
     pusher_side: float = 0.06

@@ -143,7 +143,7 @@ class SharedTrajectories:
             return
         if not self._pushing.go_back():
             self._put_up()
-        at = min(contact, group[0].offset + line.length)
+        at = self._last_step_before(min(contact, group[0].offset + line.length), group[-1].offset)
         self._pushing.place_pusher(*_point(line, at), self._physics.pusher_z, line.yaw)
         rest, motion = self._poses, None
         for i, start in enumerate(group):
@@ -160,6 +160,11 @@ class SharedTrajectories:
                 return
             at = end
             yield LineEnd(start.push_index, rest)
+
+    def _last_step_before(self, limit: float, start: float) -> float:
+        """The last point that a pusher passes in whole steps from a start up to a limit [m]."""
+        step = self._physics.push_speed * self._physics.time_step
+        return start + math.floor((limit - start) / step + 1e-9) * step
 
     def _drive(self, line: Push, begin: float, end: float) -> None:
         """Move the pusher along the line in whole time steps at its speed, or a little slower."""
