@@ -7,9 +7,6 @@ from singulate.exceptions import SimulationError
 from singulate.simulation.physics import Physics
 from singulate.simulation.world import TopSpeeds, World
 
-_MIN_UNSEEN_STEPS = 3
-"""Looking at every block after every step takes as long as the step."""
-
 _MAX_UNSEEN_STEPS = 8
 """Blocks that fall off the table, and are never still, are taken away this often."""
 
@@ -52,13 +49,13 @@ def is_still(speeds: TopSpeeds, limit: float) -> bool:
 
 
 def num_moving_steps(speeds: TopSpeeds, physics: Physics) -> int:
-    """Steps in which friction with the table alone cannot stop the fastest block; at least a few.
+    """Steps in which friction with the table alone cannot stop the fastest block; at least one.
 
     A block that something else stops sooner merely lies still for a while.
     """
     loss = physics.table_friction * physics.block_friction * physics.gravity * physics.time_step
     num_steps = int((speeds.linear - physics.settle_speed) / loss)
-    return min(max(num_steps, _MIN_UNSEEN_STEPS), _MAX_UNSEEN_STEPS)
+    return min(max(num_steps, 1), _MAX_UNSEEN_STEPS)
 
 
 def check_speeds(speeds: TopSpeeds, max_speed: float) -> None:
