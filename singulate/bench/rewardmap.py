@@ -19,7 +19,8 @@ from singulate.rewardmap.shared_trajectories import LinesTask, simulate_lines, s
 SCENARIO = "random-3"
 RESOLUTION = 64
 GOAL_SEPARATION = 0.1
-_NUM_PLAIN_PUSHES = 300
+_NUM_PLAIN_PUSHES = 150
+_TURNS_PER_REPEAT = 2
 
 TaskT = TypeVar("TaskT")
 
@@ -53,16 +54,17 @@ def _gain(options: BenchOptions) -> Iterator[Measurement]:
     rng = np.random.default_rng(0)
     num_starts = 4 * RESOLUTION**2
     shared, plain, num_plain = 0.0, 0.0, 0
+    num_turns = _TURNS_PER_REPEAT * options.num_repeats
     with LocalEngine(1, niceness=0) as engine:
-        for seed in range(options.num_repeats):
+        for seed in range(num_turns):
             request = RewardMapRequest(make_poses(SCENARIO, seed), RESOLUTION)
             cells = rng.choice(num_starts, size=_NUM_PLAIN_PUSHES, replace=False)
             shared += _seconds(engine, _time_shared, request, exact=False)
             plain += _seconds(engine, _time_plain, _PlainTask(request, cells), exact=True)
             num_plain += cells.size
     per_map = plain / num_plain * num_starts
-    note = f"{SCENARIO}, {RESOLUTION} x {RESOLUTION}, one process, mean of {options.num_repeats}"
-    shared /= options.num_repeats
+    note = f"{SCENARIO}, {RESOLUTION} x {RESOLUTION}, one process, mean of {num_turns}"
+    shared /= num_turns
     yield Measurement("full map, shared trajectories", shared, "s", note)
     sample = f"a plain push for each start, from {num_plain} random ones"
     yield Measurement("full map, plain pushes", per_map, "s", sample)

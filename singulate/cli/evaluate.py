@@ -148,6 +148,8 @@ def _load(name: str) -> tuple[Policy, str, EnvConfig]:
     """A policy, where it is from, and the task it was trained on."""
     if name in YARDSTICKS:
         return YARDSTICKS[name](), name, EnvConfig()
+    import torch
+
     from singulate.agents.loading import checkpoint_directory, policy_from_checkpoint
     from singulate.checkpoints import read_checkpoint
 
@@ -155,6 +157,7 @@ def _load(name: str) -> tuple[Policy, str, EnvConfig]:
         raise InvalidValueError(
             "checkpoint", name, f"a directory, or one of {', '.join(YARDSTICKS)}"
         )
+    torch.set_num_threads(1)  # small batches, push after push: a second thread mostly waits
     directory = checkpoint_directory(Path(name))
     checkpoint = read_checkpoint(directory, with_files=False)
     policy = policy_from_checkpoint(checkpoint)

@@ -3,6 +3,7 @@
 import dataclasses
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Self
 
 from singulate.envs.actions import ACTION_ENCODINGS
@@ -57,7 +58,7 @@ class EnvConfig:
         if not isinstance(self.exact, bool):
             raise InvalidValueError("exact", self.exact, "true or false")
 
-    @property
+    @cached_property
     def push_limit(self) -> int:
         """Pushes an episode may take, with the scenario's default filled in."""
         return self.max_pushes or make_scenario(self.scenario).default_max_pushes
