@@ -1,100 +1,65 @@
-"""Boxes in Bullet: solid ones for physics, visible ones for the camera.
+"""The bodies of a scene in Bullet: the table, the pusher and the blocks."""
 
-Boxes of one size are added in one go: most of what a new body costs, Bullet pays once a call.
-"""
+import itertools
 
-from collections.abc import Sequence
-
+from singulate.geometry import Poses, Workspace
+from singulate.simulation.boxes import TABLE_THICKNESS, UPRIGHT, add_solid_boxes
 from singulate.simulation.bullet import pybullet
-from singulate.simulation.palette import Colour
-
-Vector3 = tuple[float, float, float]
-Quaternion = tuple[float, float, float, float]
-Places = Sequence[tuple[Vector3, Quaternion]]
-"""Position [m] and orientation of each body."""
-
-UPRIGHT: Quaternion = (0.0, 0.0, 0.0, 1.0)
-TABLE_THICKNESS = 0.1
-"""[m]"""
-
-OUT_OF_SIGHT: Vector3 = (0.0, 0.0, 100.0)
-"""Above and behind every camera [m]."""
-
-_ORIGIN: Vector3 = (0.0, 0.0, 0.0)
-_SEEN_AS_ITS_SHAPE = -1
-_NEVER_SLEEP = 4
+from singulate.simulation.fallen import is_fallen
+from singulate.simulation.physics import Physics
 
 
-def add_solid_boxes(
-    client: int,
-    half_extents: Vector3,
-    places: Places,
-    *,
-    mass: float,
-    friction: float,
-    is_visible: bool = False,
-) -> list[int]:
-    """Add boxes of one size that take part in the physics.
+def add_table(client: int, workspace: Workspace, physics: Physics) -> None:
+    """Add the table, unseen by cameras."""
+    half = workspace.half_length
+    add_solid_boxes(
+        client,
+        (half, half, TABLE_THICKNESS / 2),
+        [((0.0, 0.0, -TABLE_THICKNESS / 2), UPRIGHT)],
+        mass=0.0,
+        friction=physics.table_friction,
+    )
 
-    Args:
-        client: The Bullet connection.
-        half_extents: Half of the sides [m].
-        places: Where each of them is.
-        mass: Of each [kg]; 0 stands still.
-        friction: Lateral friction coefficient.
-        is_visible: Whether cameras see them, all white.
+
+def add_pusher(client: int, physics: Physics, z: float) -> int:
+    """Add the pusher above the table's centre, unseen by cameras; z is its centre's height [m]."""
+    half = physics.pusher_side / 2
+    (body,) = add_solid_boxes(
+        client,
+        (half, half, physics.pusher_height / 2),
+        [((0.0, 0.0, z), UPRIGHT)],
+        mass=physics.pusher_mass,
+        friction=physics.pusher_friction,
+    )
+    # Contacts must not turn the pusher: its inertia is as outsized as its mass.
+    pybullet.changeDynamics(
+        body,
+        -1,
+        mass=physics.pusher_mass,
+        localInertiaDiagonal=[physics.pusher_mass] * 3,
+        physicsClientId=client,
+    )
+    return body
+
+
+def add_blocks(client: int, poses: Poses, physics: Physics) -> list[int | None]:
+    """Add the blocks, seen by cameras.
+
+    Returns:
+        Body of each block, None of fallen ones; neighbours of one side are made together.
     """
-    shape = pybullet.createCollisionShape(
-        pybullet.GEOM_BOX, halfExtents=half_extents, physicsClientId=client
-    )
-    bodies = pybullet.createMultiBody(
-        mass,
-        shape,
-        _SEEN_AS_ITS_SHAPE if is_visible else _unseen(client),
-        batchPositions=[position for position, _ in places],
-        # Plain rigid bodies step four times faster than Bullet's multibodies here.
-        useMaximalCoordinates=True,
-        physicsClientId=client,
-    )
-    for body, (position, quaternion) in zip(bodies, places, strict=True):
-        move_body(client, body, position, quaternion)
-        pybullet.changeDynamics(
-            body, -1, lateralFriction=friction, activationState=_NEVER_SLEEP, physicsClientId=client
+    standing = [(i, pose) for i, pose in enumerate(poses) if not is_fallen(pose)]
+    bodies: list[int | None] = [None] * len(poses)
+    for side, neighbours in itertools.groupby(standing, key=lambda each: each[1].side):
+        group = list(neighbours)
+        made = add_solid_boxes(
+            client,
+            (side / 2,) * 3,
+            [(pose.position, pose.quaternion) for _, pose in group],
+            mass=physics.block_density * side**3,
+            friction=physics.block_friction,
+            is_visible=True,
         )
-    return list(bodies)
-
-
-def add_visible_boxes(client: int, half_extents: Vector3, colours: Sequence[Colour]) -> list[int]:
-    """Add boxes of one size at the origin that cameras see and that nothing collides with."""
-    shape = pybullet.createVisualShape(
-        pybullet.GEOM_BOX,
-        halfExtents=half_extents,
-        specularColor=(0.1, 0.1, 0.1),
-        physicsClientId=client,
-    )
-    bodies = pybullet.createMultiBody(
-        0.0,
-        baseVisualShapeIndex=shape,
-        batchPositions=[_ORIGIN] * len(colours),
-        physicsClientId=client,
-    )
-    for body, colour in zip(bodies, colours, strict=True):
-        pybullet.changeVisualShape(body, -1, rgbaColor=colour, physicsClientId=client)
-    return list(bodies)
-
-
-def move_body(client: int, body: int, position: Vector3, quaternion: Quaternion = UPRIGHT) -> None:
-    """Put a body somewhere, at once."""
-    pybullet.resetBasePositionAndOrientation(body, position, quaternion, physicsClientId=client)
-
-
-def _unseen(client: int) -> int:
-    """A visual shape far above the body that it belongs to."""
-    return int(
-        pybullet.createVisualShape(
-            pybullet.GEOM_BOX,
-            halfExtents=(0.001, 0.001, 0.001),
-            visualFramePosition=OUT_OF_SIGHT,
-            physicsClientId=client,
-        )
-    )
+        for (i, _), body in zip(group, made, strict=True):
+            bodies[i] = body
+    return bodies

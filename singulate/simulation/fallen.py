@@ -1,7 +1,7 @@
 """Blocks that have left the table."""
 
 from singulate.geometry import BlockPose
-from singulate.simulation.bodies import UPRIGHT
+from singulate.simulation.boxes import UPRIGHT
 
 FLOOR_Z = -0.75
 """Height of the floor under the table [m]; a block that fell off lies there."""

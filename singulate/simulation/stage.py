@@ -1,7 +1,7 @@
 """The table as people see it: boxes without physics, kept and moved from scene to scene."""
 
 from singulate.geometry import Poses, Workspace
-from singulate.simulation.bodies import (
+from singulate.simulation.boxes import (
     OUT_OF_SIGHT,
     TABLE_THICKNESS,
     UPRIGHT,

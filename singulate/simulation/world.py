@@ -1,18 +1,12 @@
 """One Bullet world: a table, a pusher and the blocks of one scene."""
 
-import itertools
 import math
 from typing import NamedTuple
 
 from singulate.exceptions import SimulationError
 from singulate.geometry import BlockPose, Poses, Workspace
-from singulate.simulation.bodies import (
-    TABLE_THICKNESS,
-    UPRIGHT,
-    Vector3,
-    add_solid_boxes,
-    move_body,
-)
+from singulate.simulation.bodies import add_blocks, add_pusher, add_table
+from singulate.simulation.boxes import Vector3, move_body
 from singulate.simulation.bullet import pybullet
 from singulate.simulation.fallen import is_fallen, on_the_floor
 from singulate.simulation.physics import Physics
@@ -23,8 +17,8 @@ _PARK_EVERY = 100
 _MAX_KEPT = 500
 """Scenes after which Bullet is started anew, since it frees little of what it has for a block."""
 _ZERO = (0.0, 0.0, 0.0)
-
 _GONE_X, _GONE_Z = 10.0, -100.0
+"""Where fallen blocks go: under the table, each with so much room to the next [m]."""
 
 Motion = tuple[tuple[BlockPose, Vector3, Vector3], ...]
 """Pose, velocity [m/s] and angular velocity [rad/s] of each block."""
@@ -257,7 +251,7 @@ class World:
         self._sides = [pose.side for pose in poses]
         self._fallen_at_first = {i: pose for i, pose in enumerate(poses) if is_fallen(pose)}
         self._fallen = dict(self._fallen_at_first)
-        self._blocks = self._add_blocks(poses)
+        self._blocks = add_blocks(self.client, poses, self.physics)
 
     def _empty(self) -> None:
         """Take all blocks away."""
@@ -284,8 +278,8 @@ class World:
             physicsClientId=client,
         )
         pybullet.setGravity(0, 0, -physics.gravity, physicsClientId=client)
-        self._add_table()
-        self._pusher = self._add_pusher()
+        add_table(client, self.workspace, physics)
+        self._pusher = add_pusher(client, physics, _PARKED_Z)
 
     def _teleport_pusher(self, position: Vector3, yaw: float) -> None:
         quaternion = (0.0, 0.0, math.sin(yaw / 2), math.cos(yaw / 2))
@@ -293,55 +287,6 @@ class World:
             self._pusher, position, quaternion, physicsClientId=self.client
         )
         pybullet.resetBaseVelocity(self._pusher, _ZERO, _ZERO, physicsClientId=self.client)
-
-    def _add_table(self) -> None:
-        half = self.workspace.half_length
-        add_solid_boxes(
-            self.client,
-            (half, half, TABLE_THICKNESS / 2),
-            [((0.0, 0.0, -TABLE_THICKNESS / 2), UPRIGHT)],
-            mass=0.0,
-            friction=self.physics.table_friction,
-        )
-
-    def _add_pusher(self) -> int:
-        physics = self.physics
-        half = physics.pusher_side / 2
-        (body,) = add_solid_boxes(
-            self.client,
-            (half, half, physics.pusher_height / 2),
-            [((0.0, 0.0, _PARKED_Z), UPRIGHT)],
-            mass=physics.pusher_mass,
-            friction=physics.pusher_friction,
-        )
-        # Contacts must not turn the pusher: its inertia is as outsized as its mass.
-        pybullet.changeDynamics(
-            body,
-            -1,
-            mass=physics.pusher_mass,
-            localInertiaDiagonal=[physics.pusher_mass] * 3,
-            physicsClientId=self.client,
-        )
-        return body
-
-    def _add_blocks(self, poses: Poses) -> list[int | None]:
-        """Bodies of the blocks, None of fallen ones; neighbours of one side are made together."""
-        physics = self.physics
-        standing = [(i, pose) for i, pose in enumerate(poses) if not is_fallen(pose)]
-        bodies: list[int | None] = [None] * len(poses)
-        for side, neighbours in itertools.groupby(standing, key=lambda each: each[1].side):
-            group = list(neighbours)
-            made = add_solid_boxes(
-                self.client,
-                (side / 2,) * 3,
-                [(pose.position, pose.quaternion) for _, pose in group],
-                mass=physics.block_density * side**3,
-                friction=physics.block_friction,
-                is_visible=True,
-            )
-            for (i, _), body in zip(group, made, strict=True):
-                bodies[i] = body
-        return bodies
 
 
 def _highest(one: float, other: float) -> float:
