@@ -5,8 +5,9 @@ import numpy.typing as npt
 
 from singulate.geometry import Direction, Poses, Workspace
 from singulate.geometry.rectangle import Polygon
+from singulate.simulation.approach import SWEEP_MARGIN
 from singulate.simulation.fallen import is_fallen
-from singulate.simulation.footprint import SWEEP_MARGIN, block_footprint
+from singulate.simulation.footprint import block_footprint
 
 _UNDECIDED = 1e-6
 """Footprints that come this close to touching are left to the scene's own test [m]."""
@@ -29,10 +30,11 @@ def reaching_starts(
     """Cells from whose centre a push may meet a block, by direction, (4, H, W)."""
     centres = workspace.cell_centres(resolution)
     reaching = np.zeros((len(Direction), resolution, resolution), dtype=np.bool_)
+    half = pusher_side / 2 + SWEEP_MARGIN
     for direction in Direction:
-        along = np.array(direction.vector) * workspace.push_length / 2
-        half = np.abs(along) + pusher_side / 2
-        reaching[direction] = _depth(poses, centres + along, half) > -SWEEP_MARGIN - _UNDECIDED
+        along = np.array(direction.vector) * (workspace.push_length + half) / 2
+        half_extents = np.maximum(np.abs(along), half)
+        reaching[direction] = _depth(poses, centres + along, half_extents) > -_UNDECIDED
     return reaching
 
 

@@ -1,14 +1,36 @@
-"""How far the pusher can move before it may touch anything."""
+"""Whether a pusher meets a block, and how far it moves before."""
 
 import math
 from collections.abc import Sequence
 
 from singulate.geometry import Poses, Push
 from singulate.simulation.fallen import is_fallen
-from singulate.simulation.footprint import SWEEP_MARGIN, block_footprint
+from singulate.simulation.footprint import CUBE_REACH, block_footprint
+
+SWEEP_MARGIN = 0.002
+"""A pusher that passes a block at more than this does not touch it [m]. Of 1,400 plain pushes that
+passed one at 0 to 12 mm, none moved it further than it moves when the pusher is far away."""
+
+_SKIN = 1e-7
+"""A block that overlaps the pusher's outline by less merely touches it [m]."""
 
 AlongAcross = tuple[float, float]
 """A point by its place along a line and to the left of it [m]."""
+
+
+def is_blocked(poses: Poses, push: Push, pusher_side: float) -> bool:
+    """Whether the pusher, lowered at the start, would land on a block.
+
+    Args:
+        poses: The blocks at rest; fallen ones are in nobody's way.
+        push: The push.
+        pusher_side: Width of the pusher [m].
+    """
+    half = pusher_side / 2 - _SKIN
+    return any(
+        first < half and last > -half
+        for first, last in block_intervals(poses, push.start, push.direction, half)
+    )
 
 
 def free_length(poses: Poses, push: Push, pusher_side: float) -> float:
@@ -53,11 +75,13 @@ def block_intervals(
     (x0, y0), (ux, uy) = origin, direction
     intervals = []
     for pose in poses:
-        if is_fallen(pose):
+        dx, dy = pose.position[0] - x0, pose.position[1] - y0
+        is_far = abs(dy * ux - dx * uy) > half_width + CUBE_REACH * pose.side
+        if is_far or is_fallen(pose):
             continue
         footprint = [
-            (x * ux + y * uy, y * ux - x * uy)
-            for x, y in (block_footprint(pose) - (x0, y0)).tolist()
+            ((x - x0) * ux + (y - y0) * uy, (y - y0) * ux - (x - x0) * uy)
+            for x, y in block_footprint(pose).tolist()
         ]
         inside = _cut(_cut(footprint, 1.0, half_width), -1.0, half_width)
         if inside:

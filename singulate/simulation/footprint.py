@@ -1,17 +1,18 @@
-"""What a push covers on the table, and which blocks stand there."""
+"""What a block covers on the table."""
 
 import itertools
+import math
 from functools import lru_cache
 
 import cv2
 import numpy as np
 import numpy.typing as npt
 
-from singulate.geometry import BlockPose, Push
-from singulate.geometry.rectangle import Polygon, rectangle
+from singulate.geometry import BlockPose
+from singulate.geometry.rectangle import Polygon
 
-SWEEP_MARGIN = 0.01
-"""A block this close to the swept strip counts as touched, since contact has a skin [m]."""
+CUBE_REACH = math.sqrt(3.0) / 2.0
+"""No part of a cube is further from its centre than this share of its side."""
 
 _CORNERS = np.array(list(itertools.product((-0.5, 0.5), repeat=3)))  # (8, 3)
 
@@ -29,21 +30,6 @@ def block_footprint(pose: BlockPose) -> Polygon:
     footprint: Polygon = outline.astype(np.float64) + np.asarray(pose.position[:2])
     footprint.flags.writeable = False
     return footprint
-
-
-def pusher_footprint(push: Push, pusher_side: float) -> Polygon:
-    """Square on which the pusher is lowered, shape (4, 2) [m]."""
-    return rectangle(push.start, (pusher_side / 2, pusher_side / 2), push.yaw)
-
-
-def swept_footprint(push: Push, pusher_side: float) -> Polygon:
-    """Strip that the pusher covers from start to end, shape (4, 2) [m]."""
-    middle = (
-        (push.start[0] + push.end[0]) / 2,
-        (push.start[1] + push.end[1]) / 2,
-    )
-    half = pusher_side / 2
-    return rectangle(middle, (push.length / 2 + half, half), push.yaw)
 
 
 def _rotation(quaternion: tuple[float, float, float, float]) -> npt.NDArray[np.float64]:

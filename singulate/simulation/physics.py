@@ -47,7 +47,7 @@ class Physics:
     table_friction: float = 1.0
     block_friction: float = 0.6
     pusher_friction: float = 0.5
-    settle_speed: float = 2e-3
+    settle_speed: float = 5e-3
     max_settle_steps: int = 200
     max_speed: float = 10.0
 

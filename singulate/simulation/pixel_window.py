@@ -1,13 +1,10 @@
 """The part of the camera's image in which something can be seen."""
 
-import math
 from typing import NamedTuple
 
 from singulate.geometry import Poses, Workspace
 from singulate.simulation.fallen import is_fallen
-
-_REACH = math.sqrt(3.0) / 2.0
-"""No part of a cube is further from its centre than this share of its side."""
+from singulate.simulation.footprint import CUBE_REACH
 
 _MARGIN_PX = 2
 """Room for the camera's perspective, which leans a block outward by less than a pixel."""
@@ -37,7 +34,7 @@ def window_of(poses: Poses, workspace: Workspace) -> PixelWindow | None:
     standing = [pose for pose in poses if not is_fallen(pose)]
     if not standing:
         return None
-    reach = _REACH * max(pose.side for pose in standing)
+    reach = CUBE_REACH * max(pose.side for pose in standing)
     xs = [pose.position[0] for pose in standing]
     ys = [pose.position[1] for pose in standing]
     top, left = workspace.xy_to_row_col(min(xs) - reach, max(ys) + reach)

@@ -10,25 +10,16 @@ import numpy.typing as npt
 
 from singulate.exceptions import InvalidValueError, SimulationError
 from singulate.geometry import CameraFrame, Layout, Poses, Push, Workspace, standing_pose
-from singulate.geometry.rectangle import Polygon, penetration
+from singulate.simulation.approach import free_length, is_blocked
 from singulate.simulation.camera import OverheadCamera, picture
 from singulate.simulation.fallen import is_fallen
-from singulate.simulation.footprint import (
-    SWEEP_MARGIN,
-    block_footprint,
-    pusher_footprint,
-    swept_footprint,
-)
 from singulate.simulation.outcome import PushFrame, PushOutcome
 from singulate.simulation.physics import Physics
 from singulate.simulation.pixel_window import window_of
+from singulate.simulation.push_simulation import simulate_push
 from singulate.simulation.schedule import PusherSchedule
-from singulate.simulation.settling import check_speeds, is_still, num_moving_steps, settle
 from singulate.simulation.stage import Stage
-from singulate.simulation.world import TopSpeeds, World
-
-MAX_PUSHER_ERROR = 0.02
-"""A pusher further than this from its target means that the physics went wrong [m]."""
+from singulate.simulation.world import World
 
 
 class Scene:
@@ -99,11 +90,11 @@ class Scene:
 
     def is_blocked(self, push: Push) -> bool:
         """Whether the pusher, lowered at the start, would land on a block."""
-        return self._meets(pusher_footprint(push, self.physics.pusher_side), 0.0)
+        return is_blocked(self._poses, push, self.physics.pusher_side)
 
     def touches(self, push: Push) -> bool:
         """Whether the pusher comes close enough to a block to move it."""
-        return self._meets(swept_footprint(push, self.physics.pusher_side), -SWEEP_MARGIN)
+        return self._free_length(push) < push.length
 
     def push(self, push: Push) -> PushOutcome:
         """Execute a push and let everything come to rest.
@@ -113,10 +104,10 @@ class Scene:
         """
         if self.is_blocked(push):
             return PushOutcome(is_blocked=True)
-        is_touching = self.touches(push)
-        if not (is_touching or self.exact):
+        free_length = self._free_length(push)
+        if free_length >= push.length and not self.exact:
             return PushOutcome()
-        steps = self._simulate(push, is_touching)
+        steps = self._simulate(push, free_length)
         while True:
             try:
                 next(steps)
@@ -136,15 +127,17 @@ class Scene:
         """
         if self.is_blocked(push):
             return PushOutcome(is_blocked=True)
-        is_touching = self.touches(push)
-        is_simulated = is_touching or self.exact
+        free_length = self._free_length(push)
+        is_simulated = free_length < push.length or self.exact
         schedule = PusherSchedule(push, self.physics)
-        num_free = self._num_free_steps(schedule) if is_simulated else schedule.num_steps
-        for i in range(1, num_free + 1):
-            yield PushFrame(self._poses, (*schedule.position(i), push.yaw))
+        num_still = schedule.num_steps
+        if is_simulated:
+            num_still = self._num_clear_steps(schedule, free_length)
+        for position in schedule.path(0, num_still):
+            yield PushFrame(self._poses, (*position, push.yaw))
         if not is_simulated:
-            return PushOutcome(num_steps=num_free)
-        steps = self._simulate(push, is_touching)
+            return PushOutcome(num_steps=num_still)
+        steps = self._simulate(push, free_length)
         while True:
             try:
                 next(steps)
@@ -178,32 +171,28 @@ class Scene:
         self._stage.show(self._poses)
         return self._stage
 
-    def _meets(self, footprint: Polygon, depth: float) -> bool:
-        (x0, y0), _, (x1, y1), _ = footprint.tolist()
-        x, y, reach = (x0 + x1) / 2, (y0 + y1) / 2, math.hypot(x1 - x0, y1 - y0) / 2
-        for pose in self._poses:
-            gap = math.hypot(pose.position[0] - x, pose.position[1] - y)
-            # No part of a cube is further from its centre than 0.87 of its side.
-            if is_fallen(pose) or gap > reach + 0.87 * pose.side - depth:
-                continue
-            if penetration(footprint, block_footprint(pose)) > depth:
-                return True
-        return False
+    def _free_length(self, push: Push) -> float:
+        return free_length(self._poses, push, self.physics.pusher_side)
 
-    def _simulate(self, push: Push, is_touching: bool) -> Generator[None, None, PushOutcome]:
+    def _num_clear_steps(self, schedule: PusherSchedule, free_length: float) -> int:
+        """Steps at the beginning that are not simulated with the pusher in them."""
+        return 0 if self.exact else schedule.num_clear_steps(free_length)
+
+    def _simulate(self, push: Push, free_length: float) -> Generator[None, None, PushOutcome]:
         schedule = PusherSchedule(push, self.physics)
+        num_clear_steps = self._num_clear_steps(schedule, free_length)
         self._world.build(self._poses)
         try:
-            yield from self._move_pusher(schedule)
-            self._world.take_away_fallen()
-            num_settle_steps, is_settled = yield from settle(self._world)
+            num_settle_steps, is_settled = yield from simulate_push(
+                self._world, schedule, num_clear_steps, self.exact
+            )
             after = self._world.checked_poses()
         except SimulationError:
             self._world.discard()
             raise
         before, self._poses = self._poses, after
         return PushOutcome(
-            is_touching=is_touching,
+            is_touching=free_length < push.length,
             is_settled=is_settled,
             fallen=tuple(
                 i
@@ -216,37 +205,3 @@ class Scene:
             ),
             num_steps=schedule.num_steps + num_settle_steps,
         )
-
-    def _move_pusher(self, schedule: PusherSchedule) -> Generator[None, None, None]:
-        world, push = self._world, schedule.push
-        first = self._num_free_steps(schedule)
-        world.place_pusher(*schedule.position(first), push.yaw)
-        for i in range(first + 1, schedule.num_push_steps + 1):
-            world.drive_pusher(*schedule.position(i))
-            yield
-        error = math.dist(world.pusher_pose()[:2], push.end)
-        if not error < MAX_PUSHER_ERROR:
-            raise SimulationError(
-                f"the pusher stopped {error:.3g} m off its path; the scene is as before the push"
-            )
-        is_free, next_look = False, schedule.num_push_steps + 1
-        for i in range(schedule.num_push_steps + 1, schedule.num_steps + 1):
-            if not (is_free or self.exact) and i >= next_look:
-                world.take_away_fallen()
-                speeds = world.top_speeds()
-                check_speeds(speeds, self.physics.max_speed)
-                is_free = self._is_left_alone(speeds)
-                next_look = i + num_moving_steps(speeds, self.physics)
-            if is_free:
-                world.place_pusher(*schedule.position(i), push.yaw)
-            else:
-                world.drive_pusher(*schedule.position(i))
-            yield
-        world.park_pusher()
-
-    def _num_free_steps(self, schedule: PusherSchedule) -> int:
-        return 0 if self.exact else schedule.num_free_steps(self._poses)
-
-    def _is_left_alone(self, speeds: TopSpeeds) -> bool:
-        """Whether the blocks lie still and nothing that the pusher does will move them."""
-        return is_still(speeds, self.physics.settle_speed) and not self._world.is_pusher_touching()

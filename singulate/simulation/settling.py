@@ -4,8 +4,9 @@ import math
 from collections.abc import Generator
 
 from singulate.exceptions import SimulationError
+from singulate.simulation.motion import TopSpeeds
 from singulate.simulation.physics import Physics
-from singulate.simulation.world import TopSpeeds, World
+from singulate.simulation.world import World
 
 _MAX_UNSEEN_STEPS = 8
 """Blocks that fall off the table, and are never still, are taken away this often."""

@@ -12,23 +12,17 @@ from typing import NamedTuple, Self
 
 from singulate.exceptions import InvalidValueError, SimulationError
 from singulate.geometry import CameraFrame, Poses, Push, Workspace
-from singulate.simulation.approach import block_intervals
+from singulate.simulation.approach import SWEEP_MARGIN, block_intervals
 from singulate.simulation.camera import OverheadCamera
-from singulate.simulation.footprint import SWEEP_MARGIN
+from singulate.simulation.motion import Motion, is_same
 from singulate.simulation.physics import Physics
 from singulate.simulation.pixel_window import window_of
-from singulate.simulation.scene import MAX_PUSHER_ERROR
+from singulate.simulation.push_simulation import MAX_PUSHER_ERROR
 from singulate.simulation.settling import settle
-from singulate.simulation.world import Motion, World
+from singulate.simulation.world import World
 
 _SETTLE_STEPS = 60
 """Steps in which new blocks settle before the first push; a plain push approaches for as long."""
-
-_CLOSE = 0.002
-"""A pusher that passes a block at more than this does not touch it, wherever it came from [m]."""
-
-_TREMBLE = 1e-5
-"""What a block at rest moves or turns between two moments [m]; slower than 100 of it [1/s]."""
 
 
 class LineEnd(NamedTuple):
@@ -126,13 +120,12 @@ class SharedTrajectories:
         """Starts by the trajectory that they share, with the point where it may begin [m]."""
         half = self._physics.pusher_side / 2
         intervals = block_intervals(self._poses, line.start, line.direction, half + SWEEP_MARGIN)
-        close = block_intervals(self._poses, line.start, line.direction, half + _CLOSE)
         groups: dict[tuple[float, int], list[_Start]] = {}
         for start in sorted(starts, key=lambda start: start.offset):
             ahead = [first for first, last in intervals if last + half > start.offset]
             nearest = min(ahead, default=math.inf) - half
             # A pusher that is lowered close beside a block has a trajectory of its own.
-            is_beside = any(first - half < start.offset < last + half for first, last in close)
+            is_beside = any(first - half < start.offset < last + half for first, last in intervals)
             key = (start.offset, start.push_index) if is_beside else (nearest, -1)
             groups.setdefault(key, []).append(start)
         return [(contact, group) for (contact, _), group in groups.items()]
@@ -145,14 +138,14 @@ class SharedTrajectories:
             self._put_up()
         at = self._last_step_before(min(contact, group[0].offset + line.length), group[-1].offset)
         self._pushing.place_pusher(*_point(line, at), self._physics.pusher_z, line.yaw)
-        rest, motion = self._poses, None
+        rest, settled = self._poses, None
         for i, start in enumerate(group):
             end = start.offset + line.length
             try:
                 self._drive(line, at, end)
-                moving = self._pushing.motion()
-                if motion is None or not _is_same(moving, motion):
-                    rest, motion = self._come_to_rest(moving), moving
+                motion = self._pushing.motion()
+                if settled is None or not is_same(motion, settled):
+                    rest, settled = self._come_to_rest(motion), motion
             except SimulationError:
                 self._pushing.discard()
                 self._settling.discard()
@@ -171,9 +164,9 @@ class SharedTrajectories:
         world, physics = self._pushing, self._physics
         num_steps = math.ceil((end - begin) / (physics.push_speed * physics.time_step) - 1e-9)
         (x, y), (dx, dy), z = line.start, line.direction, physics.pusher_z
-        for i in range(1, num_steps + 1):
-            at = begin + (end - begin) * i / num_steps
-            world.drive_pusher(x + at * dx, y + at * dy, z)
+        points = [begin + (end - begin) * i / num_steps for i in range(1, num_steps + 1)]
+        for _ in world.drive_pusher((x + at * dx, y + at * dy, z) for at in points):
+            continue
         if num_steps and not math.dist(world.pusher_pose()[:2], _point(line, end)) < (
             MAX_PUSHER_ERROR
         ):
@@ -184,16 +177,6 @@ class SharedTrajectories:
         for _ in settle(self._settling):
             continue
         return self._settling.checked_poses()
-
-
-def _is_same(one: Motion, other: Motion) -> bool:
-    """Whether two moments differ by nothing but the trembling of blocks at rest."""
-    return all(
-        math.dist(a.position, b.position) < _TREMBLE
-        and math.dist(a.quaternion, b.quaternion) < _TREMBLE
-        and max(math.hypot(*each) for each in (u, v, w, x)) < 100 * _TREMBLE
-        for (a, u, v), (b, w, x) in zip(one, other, strict=True)
-    )
 
 
 def _offset(line: Push, push: Push) -> float:

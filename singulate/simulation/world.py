@@ -1,17 +1,18 @@
 """One Bullet world: a table, a pusher and the blocks of one scene."""
 
 import math
-from typing import NamedTuple
+from collections.abc import Iterable, Iterator
 
 from singulate.exceptions import SimulationError
 from singulate.geometry import BlockPose, Poses, Workspace
-from singulate.simulation.bodies import add_blocks, add_pusher, add_table
+from singulate.simulation.bodies import add_blocks, add_table
 from singulate.simulation.boxes import Vector3, move_body
 from singulate.simulation.bullet import pybullet
 from singulate.simulation.fallen import is_fallen, on_the_floor
+from singulate.simulation.motion import BlockMotion, Motion, TopSpeeds
 from singulate.simulation.physics import Physics
+from singulate.simulation.pusher import Pusher
 
-_PARKED_Z = 50.0
 _PARK_EVERY = 100
 """In so many steps of 0.01 s the parked pusher falls by 5 m, which leaves it far above all else."""
 _MAX_KEPT = 500
@@ -19,21 +20,6 @@ _MAX_KEPT = 500
 _ZERO = (0.0, 0.0, 0.0)
 _GONE_X, _GONE_Z = 10.0, -100.0
 """Where fallen blocks go: under the table, each with so much room to the next [m]."""
-
-Motion = tuple[tuple[BlockPose, Vector3, Vector3], ...]
-"""Pose, velocity [m/s] and angular velocity [rad/s] of each block."""
-
-
-class TopSpeeds(NamedTuple):
-    """How fast the fastest block is.
-
-    Attributes:
-        linear: Speed [m/s]; NaN where one is not a number.
-        angular: Turning speed [rad/s]; likewise, not always of the same block.
-    """
-
-    linear: float
-    angular: float
 
 
 class World:
@@ -62,7 +48,7 @@ class World:
         """The blocks that were put up and since then only looked at."""
         self._standing: Poses | None = None
         """Where the blocks stand, as long as that is known, with the pusher out of sight."""
-        self._pusher = -1
+        self._pusher: Pusher
         self._blocks: list[int | None] = []
         """Bodies; None of blocks that had fallen before."""
         self._sides: list[float] = []
@@ -122,24 +108,39 @@ class World:
     def place_pusher(self, x: float, y: float, z: float, yaw: float) -> None:
         """Put the pusher somewhere without a move, position of its centre [m] and yaw [rad]."""
         self._standing = None
-        self._teleport_pusher((x, y, z), yaw)
-
-    def is_pusher_touching(self) -> bool:
-        """Whether the pusher has touched a block in the last time step."""
-        return bool(pybullet.getContactPoints(self._pusher, physicsClientId=self.client))
+        self._pusher.place(x, y, z, yaw)
 
     def park_pusher(self) -> None:
         """Take the pusher out of the scene and of the camera's view."""
-        self._teleport_pusher((0.0, 0.0, _PARKED_Z), 0.0)
+        self._pusher.park()
 
-    def drive_pusher(self, x: float, y: float, z: float) -> None:
-        """Advance one time step, in which the pusher moves to a position [m]."""
+    def drive_pusher(self, path: Iterable[Vector3]) -> Iterator[None]:
+        """Advance by time steps, in each of which the pusher moves to the next point [m].
+
+        Yields:
+            After each time step.
+        """
         self._standing = None
-        pusher, client, dt = self._pusher, self.client, self.physics.time_step
-        (px, py, pz), _ = pybullet.getBasePositionAndOrientation(pusher, client)
-        velocity = ((x - px) / dt, (y - py) / dt, (z - pz) / dt)
-        pybullet.resetBaseVelocity(pusher, velocity, _ZERO, client)
-        pybullet.stepSimulation(client)
+        return self._pusher.drive(path)
+
+    def is_pusher_touching(self) -> bool:
+        """Whether the pusher has touched a block in the last time step."""
+        return self._pusher.is_touching()
+
+    def pusher_pose(self) -> tuple[float, float, float, float]:
+        """Position (x, y, z) [m] and yaw [rad] of the pusher."""
+        return self._pusher.pose()
+
+    def rest(self, num_steps: int) -> None:
+        """Advance by a few time steps, up to 28, with the pusher parked.
+
+        To the bits of as many `step`, in one call of Bullet; from 29 on, rounding may differ.
+        """
+        self._standing = None
+        if num_steps > 0:
+            self._set_time_step(num_steps)
+            pybullet.stepSimulation(self.client)
+            self._set_time_step(1)
 
     def step(self) -> None:
         """Advance one time step with the pusher parked; it falls freely and is put back in time."""
@@ -148,14 +149,6 @@ class World:
         self._num_parked_steps += 1
         self._standing = None
         pybullet.stepSimulation(self.client)
-
-    def pusher_pose(self) -> tuple[float, float, float, float]:
-        """Position (x, y, z) [m] and yaw [rad] of the pusher."""
-        position, quaternion = pybullet.getBasePositionAndOrientation(
-            self._pusher, physicsClientId=self.client
-        )
-        yaw = 2.0 * math.atan2(quaternion[2], quaternion[3])
-        return position[0], position[1], position[2], yaw
 
     def block_poses(self) -> Poses:
         """Poses of all blocks as they are now; a fallen block lies on the floor."""
@@ -177,21 +170,21 @@ class World:
     def motion(self) -> Motion:
         """How the blocks move now; those that have left the table are taken away and still."""
         return tuple(
-            (pose, _ZERO, _ZERO)
+            BlockMotion(pose)
             if i in self._fallen
-            else (pose, *pybullet.getBaseVelocity(self._blocks[i], self.client))
+            else BlockMotion(pose, *pybullet.getBaseVelocity(self._blocks[i], self.client))
             for i, pose in enumerate(self.take_away_fallen())
         )
 
     def set_motion(self, motion: Motion) -> None:
         """Let the blocks of this world move as in another one that was built alike."""
         if self._num_kept == 0:
-            self.build(tuple(pose for pose, _, _ in motion))
+            self.build(tuple(block.pose for block in motion))
         self._standing = None
-        for i, (pose, linear, angular) in enumerate(motion):
+        for i, (pose, velocity, spin) in enumerate(motion):
             self._put_block(i, pose)
             if i not in self._fallen:
-                pybullet.resetBaseVelocity(self._blocks[i], linear, angular, self.client)
+                pybullet.resetBaseVelocity(self._blocks[i], velocity, spin, self.client)
 
     def top_speeds(self) -> TopSpeeds:
         """Speeds of the fastest blocks on the table."""
@@ -271,22 +264,23 @@ class World:
         pybullet.resetSimulation(flags=flags, physicsClientId=client)
         self._num_kept = 1
         self._saved = -1
+        self._set_time_step(1)
         pybullet.setPhysicsEngineParameter(
-            fixedTimeStep=physics.time_step,
             numSolverIterations=physics.solver_iterations,
             deterministicOverlappingPairs=1,
             physicsClientId=client,
         )
         pybullet.setGravity(0, 0, -physics.gravity, physicsClientId=client)
         add_table(client, self.workspace, physics)
-        self._pusher = add_pusher(client, physics, _PARKED_Z)
+        self._pusher = Pusher(client, physics)
 
-    def _teleport_pusher(self, position: Vector3, yaw: float) -> None:
-        quaternion = (0.0, 0.0, math.sin(yaw / 2), math.cos(yaw / 2))
-        pybullet.resetBasePositionAndOrientation(
-            self._pusher, position, quaternion, physicsClientId=self.client
+    def _set_time_step(self, num_substeps: int) -> None:
+        """Let one call of Bullet advance so many time steps."""
+        pybullet.setPhysicsEngineParameter(
+            fixedTimeStep=self.physics.time_step * num_substeps,
+            numSubSteps=num_substeps,
+            physicsClientId=self.client,
         )
-        pybullet.resetBaseVelocity(self._pusher, _ZERO, _ZERO, physicsClientId=self.client)
 
 
 def _highest(one: float, other: float) -> float:

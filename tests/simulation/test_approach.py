@@ -3,8 +3,7 @@ import math
 import pytest
 
 from singulate.geometry import Block, Direction, Push, standing_pose
-from singulate.simulation.approach import block_intervals, free_length
-from singulate.simulation.footprint import SWEEP_MARGIN
+from singulate.simulation.approach import SWEEP_MARGIN, block_intervals, free_length, is_blocked
 
 BLOCK = (standing_pose(Block(0.0, 0.0, 0.2)),)
 
@@ -25,7 +24,9 @@ def test_blocks_beside_and_behind_are_not_in_the_way() -> None:
 def test_a_turned_block_is_met_at_its_corner() -> None:
     poses = (standing_pose(Block(0.0, 0.0, 0.2, math.pi / 4)),)
     push = Push.cardinal((-0.5, 0.0), Direction.RIGHT, 0.5)
-    assert free_length(poses, push, 0.06) == pytest.approx(0.5 - 0.1 * math.sqrt(2) - 0.04)
+    assert free_length(poses, push, 0.06) == pytest.approx(
+        0.5 - 0.1 * math.sqrt(2) - 0.03 - SWEEP_MARGIN
+    )
 
 
 def test_a_strip_cuts_the_part_of_a_block_that_reaches_into_it() -> None:
@@ -33,3 +34,12 @@ def test_a_strip_cuts_the_part_of_a_block_that_reaches_into_it() -> None:
     reach = 0.1 * math.sqrt(2)
     ((first, last),) = block_intervals(poses, (-0.5, reach), (1.0, 0.0), 0.05)
     assert (first, last) == pytest.approx((0.45, 0.55))
+
+
+@pytest.mark.parametrize(("x", "expected"), [(0.12, True), (0.13, False), (0.14, False)])
+def test_a_start_is_blocked_where_the_pusher_would_land_on_a_block(
+    x: float, expected: bool
+) -> None:
+    # The block ends at x = 0.1, the pusher 0.03 m before its middle: at 0.13 they merely touch.
+    for direction in Direction:
+        assert is_blocked(BLOCK, Push.cardinal((x, 0.0), direction, 0.5), 0.06) == expected

@@ -102,8 +102,11 @@ def test_the_simple_broadphase_finds_the_contacts_of_bullets_default_one() -> No
             world.build(poses)
             (x, y), (dx, dy) = push.start, push.direction
             world.place_pusher(x, y, physics.pusher_z, push.yaw)
-            for i in range(120):
-                world.drive_pusher(x + 0.004 * i * dx, y + 0.004 * i * dy, physics.pusher_z)
+            along = [0.004 * i for i in range(120)]
+            for _ in world.drive_pusher(
+                [(x + a * dx, y + a * dy, physics.pusher_z) for a in along]
+            ):
+                continue
             ends.append([pose.position for pose in world.block_poses()])
             world.close()
         assert np.abs(np.subtract(*ends)).max() < 1e-4

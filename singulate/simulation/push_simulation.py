@@ -1,0 +1,79 @@
+"""One push in a Bullet world, step by step."""
+
+import math
+from collections.abc import Generator
+
+from singulate.exceptions import SimulationError
+from singulate.simulation.schedule import PusherSchedule
+from singulate.simulation.settling import check_speeds, is_still, num_moving_steps, settle
+from singulate.simulation.world import World
+
+MAX_PUSHER_ERROR = 0.02
+"""A pusher further than this from its target means that the physics went wrong [m]."""
+
+LEAD_STEPS = 16
+"""Steps in which blocks that are put up settle before the pusher comes near. They move by some
+micrometres, which changes what they do when they are pushed: without any, 700 pushes end elsewhere
+than the plain ones by 2.2 mm in the median, with these by 1.2 mm, where 1 mm of a start makes
+1.8 mm."""
+
+
+def simulate_push(
+    world: World, schedule: PusherSchedule, num_clear_steps: int, is_exact: bool
+) -> Generator[None, None, tuple[int, bool]]:
+    """Push blocks that have just been put up, and let them come to rest.
+
+    Args:
+        world: Holds the blocks.
+        schedule: The push.
+        num_clear_steps: Steps at its beginning that are left out, because no block is near.
+        is_exact: Whether to simulate the whole retreat, even if the blocks lie still before.
+
+    Yields:
+        After each time step that is not left out.
+
+    Returns:
+        Time steps that the blocks took to settle once the pusher was gone, and whether they did.
+
+    Raises:
+        SimulationError: If the physics went wrong.
+    """
+    push = schedule.push
+    world.rest(min(num_clear_steps, LEAD_STEPS))
+    world.place_pusher(*schedule.position(num_clear_steps), push.yaw)
+    yield from world.drive_pusher(schedule.path(num_clear_steps, schedule.num_push_steps))
+    error = math.dist(world.pusher_pose()[:2], push.end)
+    if not error < MAX_PUSHER_ERROR:
+        raise SimulationError(
+            f"the pusher stopped {error:.3g} m off its path; the scene is as before the push"
+        )
+    if is_exact:
+        yield from world.drive_pusher(schedule.path(schedule.num_push_steps, schedule.num_steps))
+    elif (yield from _retreat(world, schedule)):
+        return 0, True
+    world.park_pusher()
+    world.take_away_fallen()
+    return (yield from settle(world))
+
+
+def _retreat(world: World, schedule: PusherSchedule) -> Generator[None, None, bool]:
+    """Lift the pusher; once the blocks lie still and it touches none, nothing is simulated.
+
+    Returns:
+        Whether it came to that.
+    """
+    physics, step, last = world.physics, schedule.num_push_steps, schedule.num_steps
+    world.take_away_fallen()
+    while step < last:
+        speeds = world.top_speeds()
+        check_speeds(speeds, physics.max_speed)
+        if is_still(speeds, physics.settle_speed) and not world.is_pusher_touching():
+            for position in schedule.path(step, last):
+                world.place_pusher(*position, schedule.push.yaw)
+                yield
+            world.park_pusher()
+            return True
+        next_look = min(last, step + num_moving_steps(speeds, physics))
+        yield from world.drive_pusher(schedule.path(step, next_look))
+        step = next_look
+    return False
