@@ -140,6 +140,7 @@ def _vector(action: Any, size: int) -> list[float]:
         value: npt.NDArray[np.float64] = np.asarray(action, dtype=np.float64)
     except (TypeError, ValueError):
         raise InvalidValueError("action", action, f"{size} numbers from -1 to 1") from None
-    if value.shape != (size,) or not np.all(np.abs(value) <= 1.0):
+    numbers: list[float] = value.ravel().tolist()
+    if value.shape != (size,) or not all(abs(number) <= 1.0 for number in numbers):
         raise InvalidValueError("action", action, f"{size} numbers from -1 to 1")
-    return [float(v) for v in value]
+    return numbers

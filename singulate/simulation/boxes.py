@@ -57,7 +57,8 @@ def add_solid_boxes(
         physicsClientId=client,
     )
     for body, (position, quaternion) in zip(bodies, places, strict=True):
-        move_body(client, body, position, quaternion)
+        if quaternion != UPRIGHT:
+            move_body(client, body, position, quaternion)
         pybullet.changeDynamics(
             body, -1, lateralFriction=friction, activationState=_NEVER_SLEEP, physicsClientId=client
         )

@@ -2,7 +2,8 @@ import math
 
 import pytest
 
-from singulate.geometry import Block, Direction, Push, standing_pose
+from singulate.geometry import Block, Direction, Push, Workspace, standing_pose
+from singulate.simulation import Scene
 from singulate.simulation.approach import SWEEP_MARGIN, block_intervals, free_length, is_blocked
 
 BLOCK = (standing_pose(Block(0.0, 0.0, 0.2)),)
@@ -43,3 +44,19 @@ def test_a_start_is_blocked_where_the_pusher_would_land_on_a_block(
     # The block ends at x = 0.1, the pusher 0.03 m before its middle: at 0.13 they merely touch.
     for direction in Direction:
         assert is_blocked(BLOCK, Push.cardinal((x, 0.0), direction, 0.5), 0.06) == expected
+
+
+@pytest.mark.parametrize("yaw", [0.0, 0.3])
+def test_a_pusher_that_passes_at_more_than_the_margin_moves_nothing(yaw: float) -> None:
+    block = Block(0.0, 0.0, 0.2, yaw)
+    reach = 0.1 * (math.cos(yaw) + math.sin(yaw))
+    ends = []
+    with Scene(Workspace(), exact=True) as scene:
+        for gap in (-SWEEP_MARGIN, 1.2 * SWEEP_MARGIN, 0.3):
+            scene.place((block,))
+            push = Push.cardinal((reach + 0.03 + gap, -0.25), Direction.UP, 0.5)
+            assert scene.touches(push) == (gap < SWEEP_MARGIN)
+            scene.push(push)
+            ends.append(scene.poses[0].position)
+    assert math.dist(ends[0], ends[2]) > 1e-4
+    assert math.dist(ends[1], ends[2]) < 1e-9

@@ -110,3 +110,22 @@ def test_the_simple_broadphase_finds_the_contacts_of_bullets_default_one() -> No
             ends.append([pose.position for pose in world.block_poses()])
             world.close()
         assert np.abs(np.subtract(*ends)).max() < 1e-4
+
+
+@pytest.mark.parametrize("num_steps", [1, 16, 20, 28])
+def test_resting_in_one_call_gives_the_bits_of_as_many_steps(row, num_steps: int) -> None:
+    moments = []
+    for _ in range(2):
+        world = World(Workspace(), Physics())
+        world.build(tuple(standing_pose(block) for block in row))
+        if moments:
+            world.rest(num_steps)
+        else:
+            for _ in range(num_steps):
+                world.step()
+        moments.append(world.motion())
+        world.step()  # of the usual length again
+        moments.append(world.motion())
+        world.close()
+    assert moments[:2] == moments[2:]
+    assert moments[0] != moments[1]
