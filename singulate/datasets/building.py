@@ -34,10 +34,15 @@ def plan_dataset(config: DatasetConfig, directory: Path) -> tuple[Manifest, list
         The manifest with the shards that are intact, and the names of the damaged ones.
 
     Raises:
-        InvalidValueError: If another data set is there.
+        InvalidValueError: If another data set is there, or files without a manifest.
         DatasetError: If its manifest is damaged.
     """
     if not (directory / MANIFEST_NAME).exists():
+        if directory.is_dir() and any(
+            not path.name.startswith(".") for path in directory.iterdir()
+        ):
+            allowed = f"a new or empty directory, or a data set; there is no {MANIFEST_NAME}"
+            raise InvalidValueError("out", str(directory), allowed)
         return Manifest(config), []
     found = read_manifest(directory)
     is_same_kind = replace(found.config, num_scenes=config.num_scenes) == config

@@ -141,3 +141,14 @@ def test_a_damaged_manifest_is_named(
     (tmp_path / "dataset.json").write_text(text.replace('"seed": 3', '"seed": 4'))
     assert main(["dataset", "--out", str(tmp_path)]) == 2
     assert "dataset.json: damaged" in capsys.readouterr().err
+
+
+def test_a_directory_with_other_files_is_refused_and_left_alone(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "thesis.txt").write_text("mine")
+    assert main(["dataset", "--scenes", "1", "--out", str(tmp_path)]) == 2
+    error = capsys.readouterr().err
+    assert "a new or empty directory" in error
+    assert error.count("\n") == 1
+    assert [path.name for path in tmp_path.iterdir()] == ["thesis.txt"]
