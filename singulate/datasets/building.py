@@ -38,9 +38,7 @@ def plan_dataset(config: DatasetConfig, directory: Path) -> tuple[Manifest, list
         DatasetError: If its manifest is damaged.
     """
     if not (directory / MANIFEST_NAME).exists():
-        if directory.is_dir() and any(
-            not path.name.startswith(".") for path in directory.iterdir()
-        ):
+        if any(directory.glob("[!.]*")):
             allowed = f"a new or empty directory, or a data set; there is no {MANIFEST_NAME}"
             raise InvalidValueError("out", str(directory), allowed)
         return Manifest(config), []

@@ -29,6 +29,8 @@ class Physics:
         block_friction: As above.
         pusher_friction: As above.
         settle_speed: A block slower than this is still [m/s]; ten times this in [rad/s] for turns.
+            Blocks slide for some seven steps once they are let go, and then creep for six more, by
+            0.1 mm in the median, before all are slower than 0.002.
         max_settle_steps: Steps after which an unsettled scene is taken as it is.
         max_speed: A block faster than this means that the physics went wrong [m/s].
     """

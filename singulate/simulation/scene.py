@@ -94,7 +94,7 @@ class Scene:
 
     def touches(self, push: Push) -> bool:
         """Whether the pusher comes close enough to a block to move it."""
-        return self._free_length(push) < push.length
+        return self._clear_length(push) < push.length
 
     def push(self, push: Push) -> PushOutcome:
         """Execute a push and let everything come to rest.
@@ -104,10 +104,10 @@ class Scene:
         """
         if self.is_blocked(push):
             return PushOutcome(is_blocked=True)
-        free_length = self._free_length(push)
-        if free_length >= push.length and not self.exact:
+        clear_length = self._clear_length(push)
+        if clear_length >= push.length and not self.exact:
             return PushOutcome()
-        steps = self._simulate(push, free_length)
+        steps = self._simulate(push, clear_length)
         while True:
             try:
                 next(steps)
@@ -127,17 +127,17 @@ class Scene:
         """
         if self.is_blocked(push):
             return PushOutcome(is_blocked=True)
-        free_length = self._free_length(push)
-        is_simulated = free_length < push.length or self.exact
+        clear_length = self._clear_length(push)
+        is_simulated = clear_length < push.length or self.exact
         schedule = PusherSchedule(push, self.physics)
         num_still = schedule.num_steps
         if is_simulated:
-            num_still = self._num_clear_steps(schedule, free_length)
+            num_still = self._num_clear_steps(schedule, clear_length)
         for position in schedule.path(0, num_still):
             yield PushFrame(self._poses, (*position, push.yaw))
         if not is_simulated:
             return PushOutcome(num_steps=num_still)
-        steps = self._simulate(push, free_length)
+        steps = self._simulate(push, clear_length)
         while True:
             try:
                 next(steps)
@@ -171,16 +171,16 @@ class Scene:
         self._stage.show(self._poses)
         return self._stage
 
-    def _free_length(self, push: Push) -> float:
+    def _clear_length(self, push: Push) -> float:
         return free_length(self._poses, push, self.physics.pusher_side)
 
-    def _num_clear_steps(self, schedule: PusherSchedule, free_length: float) -> int:
+    def _num_clear_steps(self, schedule: PusherSchedule, clear_length: float) -> int:
         """Steps at the beginning that are not simulated with the pusher in them."""
-        return 0 if self.exact else schedule.num_clear_steps(free_length)
+        return 0 if self.exact else schedule.num_clear_steps(clear_length)
 
-    def _simulate(self, push: Push, free_length: float) -> Generator[None, None, PushOutcome]:
+    def _simulate(self, push: Push, clear_length: float) -> Generator[None, None, PushOutcome]:
         schedule = PusherSchedule(push, self.physics)
-        num_clear_steps = self._num_clear_steps(schedule, free_length)
+        num_clear_steps = self._num_clear_steps(schedule, clear_length)
         self._world.build(self._poses)
         try:
             num_settle_steps, is_settled = yield from simulate_push(
@@ -192,7 +192,7 @@ class Scene:
             raise
         before, self._poses = self._poses, after
         return PushOutcome(
-            is_touching=free_length < push.length,
+            is_touching=clear_length < push.length,
             is_settled=is_settled,
             fallen=tuple(
                 i
