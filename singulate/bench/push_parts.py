@@ -88,6 +88,7 @@ class _TimedTask(PushTask):
 def time_parts(env: TimedEnv, turn: Turn) -> PushParts:
     """Touching pushes for a while, then a fifth as many under a profiler."""
     rng = np.random.default_rng(turn.seed)
+    env.reset(seed=turn.seed)
     task, scene = env.timed_task, env.timed_task.timed_scene
     scene.push_s = scene.image_s = task.perception_s = 0.0
     total, num_pushes = 0.0, 0
@@ -117,7 +118,7 @@ def _episode(
 ) -> float:
     """Seconds that the environment takes for one episode."""
     began = time.perf_counter()
-    env.reset(seed=int(rng.integers(2**31)))
+    env.reset()
     seconds = time.perf_counter() - began
     action = touching_action(env, rng)
     began = time.perf_counter()

@@ -48,12 +48,12 @@ def _push(
     env: PushEnv, turn: Turn, draw: Callable[[PushEnv, np.random.Generator], object]
 ) -> Stint:
     rng = np.random.default_rng(turn.seed)
+    env.reset(seed=turn.seed)
     spent, num_pushes, num_steps = 0.0, 0, 0
     began = time.perf_counter()
     while not num_pushes or time.perf_counter() - began < turn.seconds:
-        seed = int(rng.integers(2**31))
         moments = [time.perf_counter()]
-        env.reset(seed=seed)
+        env.reset()
         moments.append(time.perf_counter())
         action = draw(env, rng)
         moments.append(time.perf_counter())
