@@ -107,7 +107,7 @@ class Scene:
         clear_length = self._clear_length(push)
         if clear_length >= push.length and not self.exact:
             return PushOutcome()
-        steps = self._simulate(push, clear_length)
+        steps = self._simulate(push, clear_length, is_watched=False)
         while True:
             try:
                 next(steps)
@@ -137,7 +137,7 @@ class Scene:
             yield PushFrame(self._poses, (*position, push.yaw))
         if not is_simulated:
             return PushOutcome(num_steps=num_still)
-        steps = self._simulate(push, clear_length)
+        steps = self._simulate(push, clear_length, is_watched=True)
         while True:
             try:
                 next(steps)
@@ -178,13 +178,19 @@ class Scene:
         """Steps at the beginning that are not simulated with the pusher in them."""
         return 0 if self.exact else schedule.num_clear_steps(clear_length)
 
-    def _simulate(self, push: Push, clear_length: float) -> Generator[None, None, PushOutcome]:
+    def _simulate(
+        self, push: Push, clear_length: float, *, is_watched: bool
+    ) -> Generator[None, None, PushOutcome]:
         schedule = PusherSchedule(push, self.physics)
         num_clear_steps = self._num_clear_steps(schedule, clear_length)
         self._world.build(self._poses)
         try:
             num_settle_steps, is_settled = yield from simulate_push(
-                self._world, schedule, num_clear_steps, self.exact
+                self._world,
+                schedule,
+                num_clear_steps,
+                is_exact=self.exact,
+                is_watched=is_watched,
             )
             after = self._world.checked_poses()
         except SimulationError:
