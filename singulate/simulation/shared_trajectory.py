@@ -104,7 +104,7 @@ class SharedTrajectories:
             yield from self._follow(line, contact, group)
 
     def photograph(self, poses: Poses) -> CameraFrame:
-        """What the camera sees of an end: soonest while it is the last that was yielded."""
+        """What the camera sees of an end."""
         self._settling.show(poses)
         window = window_of(poses, self._workspace)
         return self._camera.photograph_window(self._settling.client, window)
