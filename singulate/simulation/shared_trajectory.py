@@ -138,20 +138,21 @@ class SharedTrajectories:
             self._put_up()
         at = self._last_step_before(min(contact, group[0].offset + line.length), group[-1].offset)
         self._pushing.place_pusher(*_point(line, at), self._physics.pusher_z, line.yaw)
-        rest, settled = self._poses, None
-        for i, start in enumerate(group):
-            end = start.offset + line.length
-            try:
+        motions: list[Motion] = []
+        try:
+            for start in group:
+                end = start.offset + line.length
                 self._drive(line, at, end)
-                motion = self._pushing.motion()
-                if settled is None or not is_same(motion, settled):
-                    rest, settled = self._come_to_rest(motion), motion
-            except SimulationError:
-                self._pushing.discard()
-                self._settling.discard()
-                yield from (LineEnd(lost.push_index, None) for lost in group[i:])
-                return
-            at = end
+                motions.append(self._pushing.motion())
+                at = end
+        except SimulationError:
+            self._pushing.discard()
+        yield from (LineEnd(lost.push_index, None) for lost in group[len(motions) :])
+        rest: Poses | None = None
+        settled: Motion | None = None
+        for start, motion in zip(group, motions, strict=False):
+            if settled is None or not is_same(motion, settled):
+                rest, settled = self._come_to_rest(motion), motion
             yield LineEnd(start.push_index, rest)
 
     def _last_step_before(self, limit: float, start: float) -> float:
@@ -172,11 +173,16 @@ class SharedTrajectories:
         ):
             raise SimulationError("the pusher left its path")
 
-    def _come_to_rest(self, motion: Motion) -> Poses:
-        self._settling.set_motion(motion)
-        for _ in settle(self._settling):
-            continue
-        return self._settling.checked_poses()
+    def _come_to_rest(self, motion: Motion) -> Poses | None:
+        """Poses of blocks that moved like that, once they are still; None if that went wrong."""
+        try:
+            self._settling.set_motion(motion)
+            for _ in settle(self._settling):
+                continue
+            return self._settling.checked_poses()
+        except SimulationError:
+            self._settling.discard()
+            return None
 
 
 def _offset(line: Push, push: Push) -> float:

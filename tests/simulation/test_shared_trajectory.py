@@ -1,5 +1,6 @@
 """Pushes that share a trajectory against pushes on their own."""
 
+import dataclasses
 import math
 
 import numpy as np
@@ -76,3 +77,21 @@ def test_the_same_questions_have_the_same_answers(shared: SharedTrajectories) ->
 def test_pushes_of_several_lines_are_refused(shared: SharedTrajectories) -> None:
     with pytest.raises(InvalidValueError, match="on the line of"):
         list(shared.ends([line(0.0)[0], line(0.3)[0]]))
+
+
+def test_an_end_at_which_the_physics_went_wrong_is_lost_and_no_other() -> None:
+    physics = Physics()
+    pushes = [Push.cardinal((0.0, y), Direction.UP, 0.5) for y in (-0.9, -0.5, -0.4)]
+    with SharedTrajectories(Workspace(), physics) as shared:
+        shared.place(ROW)
+        before = {end.push_index: end.poses for end in shared.ends(pushes)}
+        object.__setattr__(physics, "max_speed", 0.01)
+        shared.place(ROW)
+        wrong = {end.push_index: end.poses for end in shared.ends(pushes)}
+        object.__setattr__(physics, "max_speed", dataclasses.fields(Physics)[-1].default)
+        shared.place(ROW)
+        after = {end.push_index: end.poses for end in shared.ends(pushes)}
+    assert (wrong[1], wrong[2]) == (None, None)
+    assert wrong[0] == before[0]
+    assert before == after
+    assert None not in after.values()
