@@ -4,12 +4,12 @@ import math
 from collections.abc import Iterable, Iterator
 
 from singulate.exceptions import SimulationError
-from singulate.geometry import BlockPose, Poses, Workspace
-from singulate.simulation.bodies import add_blocks, add_table
-from singulate.simulation.boxes import Vector3, move_body
+from singulate.geometry import Poses, Workspace
+from singulate.simulation.blocks import Blocks
+from singulate.simulation.bodies import add_table
+from singulate.simulation.boxes import Vector3
 from singulate.simulation.bullet import pybullet
-from singulate.simulation.fallen import is_fallen, on_the_floor
-from singulate.simulation.motion import BlockMotion, Motion, TopSpeeds
+from singulate.simulation.motion import Motion, TopSpeeds
 from singulate.simulation.physics import Physics
 from singulate.simulation.pusher import Pusher
 
@@ -17,9 +17,6 @@ _PARK_EVERY = 100
 """In so many steps of 0.01 s the parked pusher falls by 5 m, which leaves it far above all else."""
 _MAX_KEPT = 500
 """Scenes after which Bullet is started anew, since it frees little of what it has for a block."""
-_ZERO = (0.0, 0.0, 0.0)
-_GONE_X, _GONE_Z = 10.0, -100.0
-"""Where fallen blocks go: under the table, each with so much room to the next [m]."""
 
 
 class World:
@@ -49,11 +46,7 @@ class World:
         self._standing: Poses | None = None
         """Where the blocks stand, as long as that is known, with the pusher out of sight."""
         self._pusher: Pusher
-        self._blocks: list[int | None] = []
-        """Bodies; None of blocks that had fallen before."""
-        self._sides: list[float] = []
-        self._fallen: dict[int, BlockPose] = {}
-        self._fallen_at_first: dict[int, BlockPose] = {}
+        self._blocks: Blocks
         self._saved = -1
         self._num_parked_steps = 0
 
@@ -73,11 +66,10 @@ class World:
         """Put the blocks where they stand, for a picture; the pusher is out of sight."""
         if poses is self._standing or poses == self._untouched:
             return
-        if self._fits(poses):
+        if self._num_kept > 0 and self._blocks.fits(poses):
             self._untouched = None
             self.park_pusher()
-            for i, pose in enumerate(poses):
-                self._put_block(i, pose)
+            self._blocks.put(poses)
         else:
             self._make(poses)
             self._untouched = poses
@@ -101,7 +93,7 @@ class World:
         """
         if self._saved >= 0:
             pybullet.restoreState(stateId=self._saved, physicsClientId=self.client)
-            self._fallen = dict(self._fallen_at_first)
+            self._blocks.forget_falls()
             self._standing = None
         return self._saved >= 0
 
@@ -152,8 +144,7 @@ class World:
 
     def block_poses(self) -> Poses:
         """Poses of all blocks as they are now; a fallen block lies on the floor."""
-        fallen, read = self._fallen, self._read_pose
-        return tuple([fallen[i] if i in fallen else read(i) for i in range(len(self._blocks))])
+        return self._blocks.poses()
 
     def checked_poses(self) -> Poses:
         """`block_poses` once the pusher is parked, as long as they are numbers.
@@ -169,71 +160,22 @@ class World:
 
     def motion(self) -> Motion:
         """How the blocks move now; those that have left the table are taken away and still."""
-        return tuple(
-            BlockMotion(pose)
-            if i in self._fallen
-            else BlockMotion(pose, *pybullet.getBaseVelocity(self._blocks[i], self.client))
-            for i, pose in enumerate(self.take_away_fallen())
-        )
+        return self._blocks.motion()
 
     def set_motion(self, motion: Motion) -> None:
         """Let the blocks of this world move as in another one that was built alike."""
         if self._num_kept == 0:
             self.build(tuple(block.pose for block in motion))
         self._standing = None
-        for i, (pose, velocity, spin) in enumerate(motion):
-            self._put_block(i, pose)
-            if i not in self._fallen:
-                pybullet.resetBaseVelocity(self._blocks[i], velocity, spin, self.client)
+        self._blocks.set_motion(motion)
 
     def top_speeds(self) -> TopSpeeds:
         """Speeds of the fastest blocks on the table."""
-        linear = angular = 0.0
-        for i, body in enumerate(self._blocks):
-            if i not in self._fallen:
-                (vx, vy, vz), (wx, wy, wz) = pybullet.getBaseVelocity(body, self.client)
-                linear = _highest(linear, vx * vx + vy * vy + vz * vz)
-                angular = _highest(angular, wx * wx + wy * wy + wz * wz)
-        return TopSpeeds(math.sqrt(linear), math.sqrt(angular))
+        return self._blocks.top_speeds()
 
-    def take_away_fallen(self) -> Poses:
-        """Take blocks that have left the table out of the way, down to the floor.
-
-        Returns:
-            Poses of all blocks then.
-        """
-        poses = self.block_poses()
-        if not any(map(is_fallen, poses)):
-            return poses
-        for i, pose in enumerate(poses):
-            if i not in self._fallen and is_fallen(pose):
-                self._put_block(i, on_the_floor(pose))
-        return self.block_poses()
-
-    def _read_pose(self, index: int) -> BlockPose:
-        position, quaternion = pybullet.getBasePositionAndOrientation(
-            self._blocks[index], self.client
-        )
-        return BlockPose(position, quaternion, self._sides[index])
-
-    def _put_block(self, index: int, pose: BlockPose) -> None:
-        """Move a block; the body of a fallen one falls on for ever, far from all others."""
-        body = self._blocks[index]
-        if is_fallen(pose):
-            self._fallen[index] = pose
-            if body is not None:
-                move_body(self.client, body, (_GONE_X * (index + 1), 0.0, _GONE_Z))
-        elif body is not None:
-            self._fallen.pop(index, None)
-            move_body(self.client, body, pose.position, pose.quaternion)
-
-    def _fits(self, poses: Poses) -> bool:
-        """Whether there are bodies for just these blocks, wherever they stand."""
-        return (
-            self._num_kept > 0
-            and [pose.side for pose in poses] == self._sides
-            and all(is_fallen(poses[i]) for i in self._fallen_at_first)
-        )
+    def take_away_fallen(self) -> None:
+        """Take blocks that have left the table out of the way, down to the floor."""
+        self._blocks.take_away_fallen()
 
     def _make(self, poses: Poses) -> None:
         if self._is_kept and 0 < self._num_kept < _MAX_KEPT:
@@ -241,10 +183,7 @@ class World:
         else:
             self._start_anew()
         self._num_parked_steps = 0
-        self._sides = [pose.side for pose in poses]
-        self._fallen_at_first = {i: pose for i, pose in enumerate(poses) if is_fallen(pose)}
-        self._fallen = dict(self._fallen_at_first)
-        self._blocks = add_blocks(self.client, poses, self.physics)
+        self._blocks = Blocks(self.client, poses, self.physics)
 
     def _empty(self) -> None:
         """Take all blocks away."""
@@ -252,9 +191,7 @@ class World:
         if self._saved >= 0:
             pybullet.removeState(self._saved, physicsClientId=self.client)
             self._saved = -1
-        for body in reversed(self._blocks):
-            if body is not None:
-                pybullet.removeBody(body, physicsClientId=self.client)
+        self._blocks.remove()
         self.park_pusher()
 
     def _start_anew(self) -> None:
@@ -281,8 +218,3 @@ class World:
             numSubSteps=num_substeps,
             physicsClientId=self.client,
         )
-
-
-def _highest(one: float, other: float) -> float:
-    """The higher of two numbers, or the one that is none."""
-    return one if one > other or math.isnan(one) else other
