@@ -13,11 +13,11 @@ from singulate.bench.dashboard_process import pushes_per_second
 
 
 class Tax(NamedTuple):
-    """Speeds of one training with the page at work and standing still.
+    """Speeds of one training with the page at work and standing still, in pairs of phases.
 
     Attributes:
         alone: Pushes a second while all processes of the page were stopped.
-        beside: Pushes a second in the phase after each of these, with the page at work.
+        beside: Pushes a second in the other phase of each pair, with the page at work.
     """
 
     alone: list[float]
@@ -26,8 +26,18 @@ class Tax(NamedTuple):
     @property
     def speed_kept(self) -> float:
         """Median of the pairs' ratios; 1 is no loss."""
+        return statistics.median(self._ratios)
+
+    @property
+    def quartiles(self) -> tuple[float, float]:
+        """Half of the pairs' ratios lie between these two; there are at least two pairs."""
+        first, _, third = statistics.quantiles(self._ratios, n=4, method="inclusive")
+        return first, third
+
+    @property
+    def _ratios(self) -> list[float]:
         pairs = zip(self.alone, self.beside, strict=True)
-        return statistics.median(beside / alone for alone, beside in pairs)
+        return [beside / alone for alone, beside in pairs]
 
 
 def measure_tax(
@@ -39,6 +49,9 @@ def measure_tax(
 ) -> Tax:
     """Alternate between phases of one training, so that a machine that changes counts for neither.
 
+    The page works first in every other pair: a training that slows down as its replay buffer fills
+    hurts both alike.
+
     Args:
         run_dir: The training.
         processes: All processes of the page.
@@ -47,11 +60,18 @@ def measure_tax(
         act: Called at the beginning of each phase in which the page works.
     """
     tax = Tax([], [])
-    for _ in range(num_pairs):
+
+    def stand_still() -> None:
         with stopped(processes):
             tax.alone.append(pushes_per_second(run_dir, seconds))
+
+    def work() -> None:
         act()
         tax.beside.append(pushes_per_second(run_dir, seconds))
+
+    for number in range(num_pairs):
+        for phase in (stand_still, work) if number % 2 == 0 else (work, stand_still):
+            phase()
     return tax
 
 

@@ -1,9 +1,9 @@
 """Whether a pusher meets a block, and how far it moves before."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
-from singulate.geometry import Poses, Push
+from singulate.geometry import BlockPose, Poses, Push
 from singulate.simulation.fallen import is_fallen
 from singulate.simulation.footprint import CUBE_REACH, block_footprint
 
@@ -27,9 +27,14 @@ def is_blocked(poses: Poses, push: Push, pusher_side: float) -> bool:
         pusher_side: Width of the pusher [m].
     """
     half = pusher_side / 2 - _SKIN
+    near = [
+        pose
+        for pose in poses
+        if math.dist(pose.position[:2], push.start) < CUBE_REACH * pose.side + pusher_side
+    ]
     return any(
         first < half and last > -half
-        for first, last in block_intervals(poses, push.start, push.direction, half)
+        for first, last in block_intervals(near, push.start, push.direction, half)
     )
 
 
@@ -58,7 +63,10 @@ def free_length(poses: Poses, push: Push, pusher_side: float) -> float:
 
 
 def block_intervals(
-    poses: Poses, origin: tuple[float, float], direction: tuple[float, float], half_width: float
+    poses: Iterable[BlockPose],
+    origin: tuple[float, float],
+    direction: tuple[float, float],
+    half_width: float,
 ) -> list[tuple[float, float]]:
     """Where the blocks stand along a line.
 

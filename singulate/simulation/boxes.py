@@ -90,12 +90,12 @@ def move_body(client: int, body: int, position: Vector3, quaternion: Quaternion 
 
 
 def _unseen(client: int) -> int:
-    """A visual shape far above the body that it belongs to."""
+    """A visual shape so transparent that the renderer leaves it out."""
     return int(
         pybullet.createVisualShape(
             pybullet.GEOM_BOX,
             halfExtents=(0.001, 0.001, 0.001),
-            visualFramePosition=OUT_OF_SIGHT,
+            rgbaColor=(0.0, 0.0, 0.0, 0.0),
             physicsClientId=client,
         )
     )

@@ -34,7 +34,8 @@ class OverheadCamera:
     def __init__(self, workspace: Workspace) -> None:
         self._workspace = workspace
         size = workspace.image_size
-        self._no_colours = np.broadcast_to(np.uint8(_NOTHING), (size, size, 3))
+        self._bare_depth = np.full((size, size), CAMERA_HEIGHT, np.float32)
+        self._bare_colours = np.broadcast_to(np.uint8(_NOTHING), (size, size, 3))
         self._view = pybullet.computeViewMatrix((0, 0, CAMERA_HEIGHT), (0, 0, 0), (0, 1, 0))
 
     def photograph(self, client: int) -> CameraFrame:
@@ -49,12 +50,11 @@ class OverheadCamera:
             client: The Bullet connection.
             window: Where something can be seen; None where nothing is.
         """
-        size = self._workspace.image_size
-        depth = np.full((size, size), CAMERA_HEIGHT, np.float32)
+        depth = self._bare_depth.copy()
         if window is not None:
             top, bottom, left, right = window
             _, depth[top:bottom, left:right] = self._draw(client, window)
-        return CameraFrame(self._no_colours, depth, CAMERA_HEIGHT)
+        return CameraFrame(self._bare_colours, depth, CAMERA_HEIGHT)
 
     def _draw(
         self, client: int, window: PixelWindow

@@ -9,7 +9,7 @@ from singulate.bench.dashboard_drag import drag_block
 from singulate.bench.dashboard_page import open_page
 from singulate.bench.dashboard_process import pushes_per_second, running_dashboard, running_trainer
 from singulate.bench.dashboard_socket import open_socket
-from singulate.bench.dashboard_tax import Tax, stopped, tree
+from singulate.bench.dashboard_tax import Tax, measure_tax, stopped, tree
 from singulate.exceptions import SingulateError
 
 
@@ -48,7 +48,23 @@ def test_a_stopped_process_does_not_work_and_goes_on_afterwards() -> None:
 
 
 def test_speed_kept_is_the_median_of_the_pairs() -> None:
-    assert Tax([10.0, 20.0, 40.0], [9.0, 20.0, 20.0]).speed_kept == 0.9
+    tax = Tax([10.0, 20.0, 40.0], [9.0, 20.0, 20.0])
+    assert tax.speed_kept == 0.9
+    assert tax.quartiles == pytest.approx((0.7, 0.95))
+
+
+def test_a_page_and_its_standing_still_take_turns(tmp_path: Path) -> None:
+    run_dir, page = tmp_path / "run", psutil.Popen([sys.executable, "-c", "while True: pass"])
+    states = []
+    with running_trainer(run_dir):
+        try:
+            tax = measure_tax(run_dir, tree(page.pid), 0.1, 2, lambda: states.append(page.status()))
+            assert psutil.STATUS_STOPPED not in [*states, page.status()]
+        finally:
+            page.kill()
+            page.wait()
+    assert len(states) == len(tax.alone) == len(tax.beside) == 2
+    assert min(tax.alone + tax.beside) > 0.0
 
 
 @pytest.mark.slow
