@@ -12,10 +12,6 @@ from singulate.geometry.workspace import Workspace
 MIN_SIDE = 0.05
 MAX_SIDE = 0.5
 MAX_BLOCKS = 16
-SINK = 1e-5
-"""How deep a block at rest sinks into the table [m]: Bullet's linear slop. Boxes that merely touch
-have no contact in Bullet: a block that is put up without this falls freely for one step, 1 mm deep,
-and takes half a second to come up again."""
 TOUCH_TOLERANCE = 1e-4
 """Blocks that touch may overlap by this much through rounding [m]."""
 
@@ -71,10 +67,10 @@ Poses = tuple[BlockPose, ...]
 
 
 def standing_pose(block: Block) -> BlockPose:
-    """Pose of a block that stands at rest on the table as its layout says."""
+    """Pose of a block that stands upright on the table as its layout says."""
     half = block.yaw / 2
     return BlockPose(
-        (block.x, block.y, block.side / 2 - SINK),
+        (block.x, block.y, block.side / 2),
         (0.0, 0.0, math.sin(half), math.cos(half)),
         block.side,
     )

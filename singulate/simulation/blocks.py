@@ -9,6 +9,7 @@ from singulate.simulation.bullet import pybullet
 from singulate.simulation.fallen import is_fallen, on_the_floor
 from singulate.simulation.motion import BlockMotion, Motion, TopSpeeds
 from singulate.simulation.physics import Physics
+from singulate.simulation.resting import resting_place
 
 _GONE_X, _GONE_Z = 10.0, -100.0
 """Where fallen blocks go: under the table, each with so much room to the next [m]."""
@@ -111,7 +112,7 @@ class Blocks:
                 move_body(self._client, body, (_GONE_X * (index + 1), 0.0, _GONE_Z))
         elif body is not None:
             self._fallen.pop(index, None)
-            move_body(self._client, body, pose.position, pose.quaternion)
+            move_body(self._client, body, *resting_place(pose))
 
 
 def _highest(one: float, other: float) -> float:

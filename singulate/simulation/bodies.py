@@ -7,6 +7,7 @@ from singulate.simulation.boxes import TABLE_THICKNESS, UPRIGHT, add_solid_boxes
 from singulate.simulation.bullet import pybullet
 from singulate.simulation.fallen import is_fallen
 from singulate.simulation.physics import Physics
+from singulate.simulation.resting import resting_place, solid_half_extents
 
 
 def add_table(client: int, workspace: Workspace, physics: Physics) -> None:
@@ -54,8 +55,8 @@ def add_blocks(client: int, poses: Poses, physics: Physics) -> list[int | None]:
         group = list(neighbours)
         made = add_solid_boxes(
             client,
-            (side / 2,) * 3,
-            [(pose.position, pose.quaternion) for _, pose in group],
+            solid_half_extents(side),
+            [resting_place(pose) for _, pose in group],
             mass=physics.block_density * side**3,
             friction=physics.block_friction,
             is_visible=True,

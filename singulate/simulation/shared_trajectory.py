@@ -17,12 +17,9 @@ from singulate.simulation.camera import OverheadCamera
 from singulate.simulation.motion import Motion, is_same
 from singulate.simulation.physics import Physics
 from singulate.simulation.pixel_window import window_of
-from singulate.simulation.push_simulation import MAX_PUSHER_ERROR
+from singulate.simulation.push_simulation import LEAD_STEPS, MAX_PUSHER_ERROR
 from singulate.simulation.settling import settle
 from singulate.simulation.world import World
-
-_SETTLE_STEPS = 60
-"""Steps in which new blocks settle before the first push; a plain push approaches for as long."""
 
 
 class LineEnd(NamedTuple):
@@ -112,8 +109,7 @@ class SharedTrajectories:
     def _put_up(self) -> None:
         """Build the world of the pusher and let the blocks settle, as before any push."""
         self._pushing.build(self._poses)
-        for _ in range(_SETTLE_STEPS):
-            self._pushing.step()
+        self._pushing.rest(LEAD_STEPS)
         self._pushing.save()
 
     def _groups(self, line: Push, starts: Sequence[_Start]) -> list[tuple[float, list[_Start]]]:

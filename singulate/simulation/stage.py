@@ -11,6 +11,7 @@ from singulate.simulation.boxes import (
 from singulate.simulation.bullet import pybullet
 from singulate.simulation.fallen import is_fallen
 from singulate.simulation.palette import TABLE_COLOUR, block_colour
+from singulate.simulation.resting import resting_place, solid_half_extents
 
 _MAX_REPLACED = 500
 """Bullet frees what belonged to a replaced block (4 KB) only when the whole stage is cleared."""
@@ -46,8 +47,8 @@ class Stage:
             self._clear()
         self._fit_pool(poses)
         for (body, _), pose in zip(self._pool, poses, strict=False):
-            position = OUT_OF_SIGHT if is_fallen(pose) else pose.position
-            move_body(self.client, body, position, pose.quaternion)
+            place = (OUT_OF_SIGHT, UPRIGHT) if is_fallen(pose) else resting_place(pose)
+            move_body(self.client, body, *place)
         for body, _ in self._pool[len(poses) :]:
             move_body(self.client, body, OUT_OF_SIGHT, UPRIGHT)
 
@@ -67,7 +68,7 @@ class Stage:
     def _make(self, side: float, indices: list[int]) -> list[tuple[int, int, float]]:
         """(Index, body, side) of new blocks."""
         colours = [block_colour(i) for i in indices]
-        bodies = add_visible_boxes(self.client, (side / 2,) * 3, colours)
+        bodies = add_visible_boxes(self.client, solid_half_extents(side), colours)
         return [(i, body, side) for i, body in zip(indices, bodies, strict=True)]
 
     def _clear(self) -> None:

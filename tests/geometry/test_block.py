@@ -6,7 +6,6 @@ import pytest
 
 from singulate.exceptions import InvalidValueError
 from singulate.geometry import Block, Workspace, layout_to_dicts, parse_layout, standing_pose
-from singulate.geometry.block import SINK
 
 WORKSPACE = Workspace()
 
@@ -82,6 +81,6 @@ def test_footprint() -> None:
 
 def test_standing_pose() -> None:
     pose = standing_pose(Block(0.1, -0.2, side=0.16, yaw=math.pi / 2))
-    assert pose.position == (0.1, -0.2, 0.08 - SINK)
+    assert pose.position == (0.1, -0.2, 0.08)
     assert pose.quaternion == pytest.approx((0.0, 0.0, math.sqrt(0.5), math.sqrt(0.5)))
     assert pose.side == 0.16
