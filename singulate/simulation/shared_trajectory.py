@@ -21,6 +21,9 @@ from singulate.simulation.push_simulation import LEAD_STEPS, MAX_PUSHER_ERROR
 from singulate.simulation.settling import settle
 from singulate.simulation.world import World
 
+_RUB_MARGIN = 1e-4
+"""A pusher that comes down beside a block at more than this does not touch it there [m]."""
+
 
 class LineEnd(NamedTuple):
     """How one of the pushes ended.
@@ -115,13 +118,16 @@ class SharedTrajectories:
     def _groups(self, line: Push, starts: Sequence[_Start]) -> list[tuple[float, list[_Start]]]:
         """Starts by the trajectory that they share, with the point where it may begin [m]."""
         half = self._physics.pusher_side / 2
-        intervals = block_intervals(self._poses, line.start, line.direction, half + SWEEP_MARGIN)
+        reached, rubbed = (
+            block_intervals(self._poses, line.start, line.direction, half + margin)
+            for margin in (SWEEP_MARGIN, _RUB_MARGIN)
+        )
         groups: dict[tuple[float, int], list[_Start]] = {}
         for start in sorted(starts, key=lambda start: start.offset):
-            ahead = [first for first, last in intervals if last + half > start.offset]
+            ahead = [first for first, last in reached if last + half > start.offset]
             nearest = min(ahead, default=math.inf) - half
-            # A pusher that is lowered close beside a block has a trajectory of its own.
-            is_beside = any(first - half < start.offset < last + half for first, last in intervals)
+            # A pusher that is lowered right beside a block has a trajectory of its own.
+            is_beside = any(first - half < start.offset < last + half for first, last in rubbed)
             key = (start.offset, start.push_index) if is_beside else (nearest, -1)
             groups.setdefault(key, []).append(start)
         return [(contact, group) for (contact, _), group in groups.items()]
