@@ -24,6 +24,10 @@ from singulate.simulation.world import World
 _RUB_MARGIN = 1e-4
 """A pusher that comes down beside a block at more than this does not touch it there [m]."""
 
+_SETTLING_RESIDUAL = 1e-5
+"""Where no pusher drives the blocks any further, small errors stay small: with this, they come to
+rest in half the time, and agree with plain pushes as well as with Bullet's 1e-7."""
+
 
 class LineEnd(NamedTuple):
     """How one of the pushes ended.
@@ -59,7 +63,7 @@ class SharedTrajectories:
     def __init__(self, workspace: Workspace, physics: Physics) -> None:
         self._physics = physics
         self._pushing = World(workspace, physics)
-        self._settling = World(workspace, physics)
+        self._settling = World(workspace, physics, residual=_SETTLING_RESIDUAL)
         self._camera = OverheadCamera(workspace)
         self._workspace = workspace
         self._poses: Poses = ()

@@ -17,6 +17,8 @@ _PARK_EVERY = 100
 """In so many steps of 0.01 s the parked pusher falls by 5 m, which leaves it far above all else."""
 _MAX_KEPT = 500
 """Scenes after which Bullet is started anew, since it frees little of what it has for a block."""
+_DEFAULT_RESIDUAL = 1e-7
+"""Bullet's own."""
 
 
 class World:
@@ -33,13 +35,21 @@ class World:
         workspace: The square that the table covers.
         physics: Physical constants.
         is_kept: Whether table and pusher may stay from one scene to the next.
+        residual: Bullet's solver stops early once an iteration changes less than this.
     """
 
-    def __init__(self, workspace: Workspace, physics: Physics, is_kept: bool = True) -> None:
+    def __init__(
+        self,
+        workspace: Workspace,
+        physics: Physics,
+        is_kept: bool = True,
+        residual: float = _DEFAULT_RESIDUAL,
+    ) -> None:
         self.client = pybullet.connect(pybullet.DIRECT)
         self.workspace = workspace
         self.physics = physics
         self._is_kept = is_kept
+        self._residual = residual
         self._num_kept = 0
         self._untouched: Poses | None = None
         """The blocks that were put up and since then only looked at."""
@@ -204,6 +214,7 @@ class World:
         self._set_time_step(1)
         pybullet.setPhysicsEngineParameter(
             numSolverIterations=physics.solver_iterations,
+            solverResidualThreshold=self._residual,
             deterministicOverlappingPairs=1,
             physicsClientId=client,
         )
