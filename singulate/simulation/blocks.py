@@ -75,13 +75,13 @@ class Blocks:
 
     def top_speeds(self) -> TopSpeeds:
         """Speeds of the fastest blocks on the table."""
-        linear = angular = 0.0
+        linear, angular = [0.0], [0.0]
         for i, body in enumerate(self._bodies):
             if i not in self._fallen:
                 (vx, vy, vz), (wx, wy, wz) = pybullet.getBaseVelocity(body, self._client)
-                linear = _highest(linear, vx * vx + vy * vy + vz * vz)
-                angular = _highest(angular, wx * wx + wy * wy + wz * wz)
-        return TopSpeeds(math.sqrt(linear), math.sqrt(angular))
+                linear.append(vx * vx + vy * vy + vz * vz)
+                angular.append(wx * wx + wy * wy + wz * wz)
+        return TopSpeeds(_highest_root(linear), _highest_root(angular))
 
     def take_away_fallen(self) -> Poses:
         """Take blocks that have left the table out of the way, down to the floor.
@@ -115,6 +115,6 @@ class Blocks:
             move_body(self._client, body, *resting_place(pose))
 
 
-def _highest(one: float, other: float) -> float:
-    """The higher of two numbers, or the one that is none."""
-    return one if one > other or math.isnan(one) else other
+def _highest_root(squares: list[float]) -> float:
+    """Root of the highest; NaN where one is not a number."""
+    return math.sqrt(math.nan if math.isnan(sum(squares)) else max(squares))

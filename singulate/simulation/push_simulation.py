@@ -13,9 +13,9 @@ from singulate.simulation.world import World
 MAX_PUSHER_ERROR = 0.02
 """A pusher further than this from its target means that the physics went wrong [m]."""
 
-LEAD_STEPS = 4
-"""Steps in which blocks that are put up begin to bear on their corners, before the pusher comes
-near: from the fourth on, the loads of the corners stay as they are."""
+LEAD_STEPS = 3
+"""Steps in which blocks that are put up begin to bear on their corners before the pusher comes:
+its own first one is the fourth, and from then on the loads of the corners stay as they are."""
 
 
 def simulate_push(
@@ -71,6 +71,7 @@ def _retreat(
         Whether it came to that.
     """
     physics, step, last = world.physics, schedule.num_push_steps, schedule.num_steps
+    world.loosen()
     world.take_away_fallen()
     while step < last:
         speeds = world.top_speeds()

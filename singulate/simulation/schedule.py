@@ -31,11 +31,11 @@ class PusherSchedule:
         return self.num_push_steps + self.physics.num_lift_steps
 
     def num_clear_steps(self, clear_length: float) -> int:
-        """Whole steps of the push, but for one, within a length of its beginning [m]."""
+        """Whole steps of the push within a length of its beginning [m]."""
         if self.push.length == 0.0:
             return 0
         share = min(clear_length / self.push.length, 1.0)
-        return max(0, int(share * self.num_push_steps) - 1)
+        return int(share * self.num_push_steps)
 
     def position(self, step: int) -> Vector3:
         """Where the pusher's centre is after a step, (x, y, z) [m]."""

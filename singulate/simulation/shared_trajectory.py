@@ -24,10 +24,6 @@ from singulate.simulation.world import World
 _RUB_MARGIN = 1e-4
 """A pusher that comes down beside a block at more than this does not touch it there [m]."""
 
-_SETTLING_RESIDUAL = 1e-5
-"""Where no pusher drives the blocks any further, small errors stay small: with this, they come to
-rest in half the time, and agree with plain pushes as well as with Bullet's 1e-7."""
-
 
 class LineEnd(NamedTuple):
     """How one of the pushes ended.
@@ -63,7 +59,7 @@ class SharedTrajectories:
     def __init__(self, workspace: Workspace, physics: Physics) -> None:
         self._physics = physics
         self._pushing = World(workspace, physics)
-        self._settling = World(workspace, physics, residual=_SETTLING_RESIDUAL)
+        self._settling = World(workspace, physics)
         self._camera = OverheadCamera(workspace)
         self._workspace = workspace
         self._poses: Poses = ()
@@ -183,6 +179,7 @@ class SharedTrajectories:
         """Poses of blocks that moved like that, once they are still; None if that went wrong."""
         try:
             self._settling.set_motion(motion)
+            self._settling.loosen()
             for _ in settle(self._settling):
                 continue
             return self._settling.checked_poses()

@@ -17,8 +17,8 @@ _PARK_EVERY = 100
 """In so many steps of 0.01 s the parked pusher falls by 5 m, which leaves it far above all else."""
 _MAX_KEPT = 500
 """Scenes after which Bullet is started anew, since it frees little of what it has for a block."""
-_DEFAULT_RESIDUAL = 1e-7
-"""Bullet's own."""
+_TIGHT_RESIDUAL, _LOOSE_RESIDUAL = 1e-7, 1e-5
+"""The solver stops once an iteration changes less than this; the first is Bullet's own."""
 
 
 class World:
@@ -35,21 +35,14 @@ class World:
         workspace: The square that the table covers.
         physics: Physical constants.
         is_kept: Whether table and pusher may stay from one scene to the next.
-        residual: Bullet's solver stops early once an iteration changes less than this.
     """
 
-    def __init__(
-        self,
-        workspace: Workspace,
-        physics: Physics,
-        is_kept: bool = True,
-        residual: float = _DEFAULT_RESIDUAL,
-    ) -> None:
+    def __init__(self, workspace: Workspace, physics: Physics, is_kept: bool = True) -> None:
         self.client = pybullet.connect(pybullet.DIRECT)
         self.workspace = workspace
         self.physics = physics
         self._is_kept = is_kept
-        self._residual = residual
+        self._is_loose = False
         self._num_kept = 0
         self._untouched: Poses | None = None
         """The blocks that were put up and since then only looked at."""
@@ -179,6 +172,16 @@ class World:
         self._standing = None
         self._blocks.set_motion(motion)
 
+    def loosen(self) -> None:
+        """Let Bullet's solver stop earlier, until blocks are put up anew.
+
+        Where no pusher drives the blocks any further, small errors stay small: they come to rest in
+        half the time, and agree with plain pushes as well as under the tighter solver.
+        """
+        if not self._is_loose:
+            self._set_residual(_LOOSE_RESIDUAL)
+            self._is_loose = True
+
     def top_speeds(self) -> TopSpeeds:
         """Speeds of the fastest blocks on the table."""
         return self._blocks.top_speeds()
@@ -190,6 +193,9 @@ class World:
     def _make(self, poses: Poses) -> None:
         if self._is_kept and 0 < self._num_kept < _MAX_KEPT:
             self._empty()
+            if self._is_loose:
+                self._set_residual(_TIGHT_RESIDUAL)
+                self._is_loose = False
         else:
             self._start_anew()
         self._num_parked_steps = 0
@@ -211,16 +217,22 @@ class World:
         pybullet.resetSimulation(flags=flags, physicsClientId=client)
         self._num_kept = 1
         self._saved = -1
+        self._is_loose = False
         self._set_time_step(1)
         pybullet.setPhysicsEngineParameter(
             numSolverIterations=physics.solver_iterations,
-            solverResidualThreshold=self._residual,
+            solverResidualThreshold=_TIGHT_RESIDUAL,
             deterministicOverlappingPairs=1,
             physicsClientId=client,
         )
         pybullet.setGravity(0, 0, -physics.gravity, physicsClientId=client)
         add_table(client, self.workspace, physics)
         self._pusher = Pusher(client, physics)
+
+    def _set_residual(self, residual: float) -> None:
+        pybullet.setPhysicsEngineParameter(
+            solverResidualThreshold=residual, physicsClientId=self.client
+        )
 
     def _set_time_step(self, num_substeps: int) -> None:
         """Let one call of Bullet advance so many time steps."""
