@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from singulate.engine import Engine
 
-NUM_ROUNDS = 5
+NUM_ROUNDS = 20
 """Turns of each variant."""
 
 

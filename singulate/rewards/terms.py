@@ -1,7 +1,7 @@
 """The terms of the reward: what of a push is paid for, before weighting."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from singulate.geometry import Push, Workspace
 from singulate.perception import Percept
@@ -11,8 +11,7 @@ from singulate.rewards.start import object_distance, start_reward
 from singulate.rewards.success import is_success, success_reward
 
 
-@dataclass(frozen=True, eq=False)
-class Transition:
+class Transition(NamedTuple):
     """One push and what the camera saw before and after it.
 
     Attributes:

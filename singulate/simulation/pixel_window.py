@@ -2,12 +2,14 @@
 
 from typing import NamedTuple
 
-from singulate.geometry import Poses, Workspace
+from singulate.geometry import BlockPose, Poses, Workspace
 from singulate.simulation.fallen import is_fallen
 from singulate.simulation.footprint import CUBE_REACH
 
-_MARGIN_PX = 2
+_MARGIN_PX = 1
 """Room for the camera's perspective, which leans a block outward by less than a pixel."""
+_UPRIGHT = 1e-6
+"""A block whose quaternion has x and y of a smaller square does not lean."""
 
 
 class PixelWindow(NamedTuple):
@@ -34,9 +36,8 @@ def window_of(poses: Poses, workspace: Workspace) -> PixelWindow | None:
     standing = [pose for pose in poses if not is_fallen(pose)]
     if not standing:
         return None
-    reach = CUBE_REACH * max(pose.side for pose in standing)
-    xs = [pose.position[0] for pose in standing]
-    ys = [pose.position[1] for pose in standing]
+    xs, ys, _ = zip(*[pose.position for pose in standing], strict=True)
+    reach = max([_reach(pose) for pose in standing])
     top, left = workspace.xy_to_row_col(min(xs) - reach, max(ys) + reach)
     bottom, right = workspace.xy_to_row_col(max(xs) + reach, min(ys) - reach)
     size = workspace.image_size
@@ -46,3 +47,11 @@ def window_of(poses: Poses, workspace: Workspace) -> PixelWindow | None:
         left=max(left - _MARGIN_PX, 0),
         right=min(right + 1 + _MARGIN_PX, size),
     )
+
+
+def _reach(pose: BlockPose) -> float:
+    """How far a block reaches along x and y from its centre, at most [m]."""
+    x, y, z, w = pose.quaternion
+    if x * x + y * y > _UPRIGHT:
+        return CUBE_REACH * pose.side
+    return (abs(w * w - z * z) + abs(2.0 * w * z)) * pose.side / 2.0

@@ -12,11 +12,15 @@ _MAX_UNSEEN_STEPS = 8
 """Blocks that fall off the table, and are never still, are taken away this often."""
 
 
-def settle(world: World) -> Generator[None, None, tuple[int, bool]]:
+def settle(world: World, *, is_watched: bool) -> Generator[None, None, tuple[int, bool]]:
     """Step until all blocks are still, for a limited time; those that fell off are taken away.
 
+    Args:
+        world: Holds the blocks; its pusher is parked.
+        is_watched: Whether to stop after each time step.
+
     Yields:
-        After each simulation step.
+        After each time step, where somebody watches.
 
     Returns:
         Steps that it took, and whether everything is still.
@@ -36,12 +40,14 @@ def settle(world: World) -> Generator[None, None, tuple[int, bool]]:
             return num_steps, True
         if num_steps == physics.max_settle_steps:
             return num_steps, False
-        for _ in range(
-            min(num_moving_steps(speeds, physics), physics.max_settle_steps - num_steps)
-        ):
-            world.step()
-            num_steps += 1
-            yield
+        num_more = min(num_moving_steps(speeds, physics), physics.max_settle_steps - num_steps)
+        if is_watched:
+            for _ in range(num_more):
+                world.step()
+                yield
+        else:
+            world.step(num_more)
+        num_steps += num_more
 
 
 def is_still(speeds: TopSpeeds, limit: float) -> bool:

@@ -180,7 +180,7 @@ class SharedTrajectories:
         try:
             self._settling.set_motion(motion)
             self._settling.loosen()
-            for _ in settle(self._settling):
+            for _ in settle(self._settling, is_watched=False):
                 continue
             return self._settling.checked_poses()
         except SimulationError:

@@ -137,13 +137,14 @@ class World:
             pybullet.stepSimulation(self.client)
             self._set_time_step(1)
 
-    def step(self) -> None:
-        """Advance one time step with the pusher parked; it falls freely and is put back in time."""
-        if self._num_parked_steps % _PARK_EVERY == 0:
-            self.park_pusher()
-        self._num_parked_steps += 1
+    def step(self, num_steps: int = 1) -> None:
+        """Advance by time steps with the pusher parked; it falls freely and is put back in time."""
         self._standing = None
-        pybullet.stepSimulation(self.client)
+        for _ in range(num_steps):
+            if self._num_parked_steps % _PARK_EVERY == 0:
+                self.park_pusher()
+            self._num_parked_steps += 1
+            pybullet.stepSimulation(self.client)
 
     def block_poses(self) -> Poses:
         """Poses of all blocks as they are now; a fallen block lies on the floor."""

@@ -1,5 +1,3 @@
-import dataclasses
-
 import numpy as np
 import pytest
 
@@ -54,18 +52,18 @@ def test_the_start_is_judged_by_the_picture_before_the_push() -> None:
 
 
 def test_inside_is_what_the_caller_says() -> None:
-    blocked = dataclasses.replace(transition(APART, APART, (22, 22)), is_inside=True)
+    blocked = transition(APART, APART, (22, 22))._replace(is_inside=True)
     assert reward_terms(blocked)["inside"] == 1.0
     assert reward_terms(transition(APART, APART, (22, 22)))["inside"] == 0.0
 
 
 def test_the_goal_decides_success_and_truncation() -> None:
-    strict = dataclasses.replace(transition(TOUCHING, APART, (32, 22)), goal_separation=0.32)
+    strict = transition(TOUCHING, APART, (32, 22))._replace(goal_separation=0.32)
     terms = reward_terms(strict)
     assert terms["distance"] == pytest.approx(0.3125)
     assert terms["success"] == 0.0
 
 
 def test_a_missing_block_is_no_success() -> None:
-    three = dataclasses.replace(transition(TOUCHING, APART, (32, 22)), num_blocks=3)
+    three = transition(TOUCHING, APART, (32, 22))._replace(num_blocks=3)
     assert reward_terms(three)["success"] == 0.0

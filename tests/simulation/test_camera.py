@@ -104,4 +104,4 @@ def test_a_picture_without_the_table_shows_the_same_blocks_in_the_same_pixels(sc
 def test_an_empty_table_has_no_window_and_a_plain_picture():
     assert window_of((), WORKSPACE) is None
     beside = standing_pose(Block(0.95, -0.95))
-    assert window_of((beside,), WORKSPACE) == (54, 64, 54, 64)
+    assert window_of((beside,), WORKSPACE) == (58, 64, 58, 64)
