@@ -6,8 +6,9 @@ from singulate.geometry import BlockPose, Poses, Workspace
 from singulate.simulation.fallen import is_fallen
 from singulate.simulation.footprint import CUBE_REACH
 
-_MARGIN_PX = 1
-"""Room for the camera's perspective, which leans a block outward by less than a pixel."""
+_PERSPECTIVE = 0.055
+"""How far the camera sees the top of a block lean outward, as a share of its distance from the
+middle of the table: at most that of two blocks of 0.5 m, one on the other."""
 _UPRIGHT = 1e-6
 """A block whose quaternion has x and y of a smaller square does not lean."""
 
@@ -37,16 +38,10 @@ def window_of(poses: Poses, workspace: Workspace) -> PixelWindow | None:
     if not standing:
         return None
     xs, ys, _ = zip(*[pose.position for pose in standing], strict=True)
-    reach = max([_reach(pose) for pose in standing])
+    reach = max([_reach(pose) for pose in standing]) + _PERSPECTIVE * workspace.half_length
     top, left = workspace.xy_to_row_col(min(xs) - reach, max(ys) + reach)
     bottom, right = workspace.xy_to_row_col(max(xs) + reach, min(ys) - reach)
-    size = workspace.image_size
-    return PixelWindow(
-        top=max(top - _MARGIN_PX, 0),
-        bottom=min(bottom + 1 + _MARGIN_PX, size),
-        left=max(left - _MARGIN_PX, 0),
-        right=min(right + 1 + _MARGIN_PX, size),
-    )
+    return PixelWindow(top, bottom + 1, left, right + 1)
 
 
 def _reach(pose: BlockPose) -> float:

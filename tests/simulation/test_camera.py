@@ -1,11 +1,13 @@
 """The camera's pixels against true poses."""
 
+import math
+
 import numpy as np
 import pytest
 
 from singulate.geometry import Block, Direction, Push, Workspace, standing_pose
 from singulate.perception import perceive
-from singulate.simulation import make_scenario
+from singulate.simulation import Scene, make_scenario
 from singulate.simulation.pixel_window import window_of
 
 WORKSPACE = Workspace()
@@ -101,7 +103,16 @@ def test_a_picture_without_the_table_shows_the_same_blocks_in_the_same_pixels(sc
         assert (with_table.label_image == without.label_image).all()
 
 
+def test_a_window_holds_tall_blocks_at_the_border_of_a_fine_picture():
+    fine = Workspace(image_size=512)
+    with Scene(fine) as scene:
+        for x, y, yaw in ((0.7, 0.7, 0.0), (-0.6, -0.6, math.pi / 4), (-0.7, 0.1, 0.2)):
+            scene.place((Block(x, y, 0.5, yaw),))
+            full = perceive(scene.photograph(), fine)
+            assert (perceive(scene.photograph_blocks(), fine).mask == full.mask).all()
+
+
 def test_an_empty_table_has_no_window_and_a_plain_picture():
     assert window_of((), WORKSPACE) is None
     beside = standing_pose(Block(0.95, -0.95))
-    assert window_of((beside,), WORKSPACE) == (58, 64, 58, 64)
+    assert window_of((beside,), WORKSPACE) == (57, 64, 57, 64)
