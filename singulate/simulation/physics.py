@@ -58,6 +58,11 @@ class Physics:
         """Height of the pusher's centre while it pushes [m]."""
         return self.pusher_clearance + self.pusher_height / 2
 
+    @cached_property
+    def sliding_loss(self) -> float:
+        """Speed that a block sliding over the table loses in a time step [m/s]."""
+        return self.table_friction * self.block_friction * self.gravity * self.time_step
+
     @property
     def num_lift_steps(self) -> int:
         """Steps in which the pusher is lifted after a push."""

@@ -60,8 +60,7 @@ def num_moving_steps(speeds: TopSpeeds, physics: Physics) -> int:
 
     A block that something else stops sooner merely lies still for a while.
     """
-    loss = physics.table_friction * physics.block_friction * physics.gravity * physics.time_step
-    num_steps = int((speeds.linear - physics.settle_speed) / loss)
+    num_steps = int((speeds.linear - physics.settle_speed) / physics.sliding_loss)
     return min(max(num_steps, 1), _MAX_UNSEEN_STEPS)
 
 

@@ -6,6 +6,7 @@ and where one of the pushes ends, a copy of the blocks is let come to rest in a 
 """
 
 import math
+from collections import deque
 from collections.abc import Iterator, Sequence
 from types import TracebackType
 from typing import NamedTuple, Self
@@ -168,8 +169,8 @@ class SharedTrajectories:
         num_steps = math.ceil((end - begin) / (physics.push_speed * physics.time_step) - 1e-9)
         (x, y), (dx, dy), z = line.start, line.direction, physics.pusher_z
         points = [begin + (end - begin) * i / num_steps for i in range(1, num_steps + 1)]
-        for _ in world.drive_pusher((x + at * dx, y + at * dy, z) for at in points):
-            continue
+        path = [(x + at * dx, y + at * dy, z) for at in points]
+        deque(world.drive_pusher(path), maxlen=0)
         if num_steps and not math.dist(world.pusher_pose()[:2], _point(line, end)) < (
             MAX_PUSHER_ERROR
         ):

@@ -47,7 +47,7 @@ class World:
         self._untouched: Poses | None = None
         """The blocks that were put up and since then only looked at."""
         self._standing: Poses | None = None
-        """Where the blocks stand, as long as that is known, with the pusher out of sight."""
+        """Where the blocks stand, as long as that is known."""
         self._pusher: Pusher
         self._blocks: Blocks
         self._saved = -1
@@ -66,12 +66,11 @@ class World:
         self._untouched = self._standing = None
 
     def show(self, poses: Poses) -> None:
-        """Put the blocks where they stand, for a picture; the pusher is out of sight."""
+        """Put the blocks where they stand, for a picture, on which the pusher is never seen."""
         if poses is self._standing or poses == self._untouched:
             return
         if self._num_kept > 0 and self._blocks.fits(poses):
             self._untouched = None
-            self.park_pusher()
             self._blocks.put(poses)
         else:
             self._make(poses)
