@@ -5,7 +5,7 @@ import math
 from singulate.geometry import BlockPose
 from singulate.simulation.boxes import Quaternion, Vector3
 
-INSET = 5e-6
+_INSET = 5e-6
 """Blocks are solid from this far behind their faces on [m]. Without it, whether blocks that stand
 face to face rub against each other would hang on how their places are rounded: in 500 pushes on
 two of them, ends differed by 1.8 mm in the median once the approach was left out, and with it, or
@@ -23,7 +23,7 @@ _LAID_OUT = 1e-4
 
 def solid_half_extents(side: float) -> Vector3:
     """Half of the sides of the box that Bullet holds for a block [m]."""
-    half = side / 2 - INSET
+    half = side / 2 - _INSET
     return half, half, half
 
 
@@ -42,4 +42,4 @@ def resting_place(pose: BlockPose) -> tuple[Vector3, Quaternion]:
     lean = -_LEAN / side  # half of the angle, about the block's own y
     sin, cos = math.sin(lean), math.cos(lean)
     turn = (-sin_yaw * sin, cos_yaw * sin, sin_yaw * cos, cos_yaw * cos)
-    return (x, y, side / 2 - INSET - _SINK), turn
+    return (x, y, side / 2 - _INSET - _SINK), turn

@@ -42,7 +42,7 @@ class World:
         self.workspace = workspace
         self.physics = physics
         self._is_kept = is_kept
-        self._is_loose = False
+        self._residual = _TIGHT_RESIDUAL
         self._num_kept = 0
         self._untouched: Poses | None = None
         """The blocks that were put up and since then only looked at."""
@@ -178,9 +178,7 @@ class World:
         Where no pusher drives the blocks any further, small errors stay small: they come to rest in
         half the time, and agree with plain pushes as well as under the tighter solver.
         """
-        if not self._is_loose:
-            self._set_residual(_LOOSE_RESIDUAL)
-            self._is_loose = True
+        self._set_residual(_LOOSE_RESIDUAL)
 
     def top_speeds(self) -> TopSpeeds:
         """Speeds of the fastest blocks on the table."""
@@ -193,9 +191,7 @@ class World:
     def _make(self, poses: Poses) -> None:
         if self._is_kept and 0 < self._num_kept < _MAX_KEPT:
             self._empty()
-            if self._is_loose:
-                self._set_residual(_TIGHT_RESIDUAL)
-                self._is_loose = False
+            self._set_residual(_TIGHT_RESIDUAL)
         else:
             self._start_anew()
         self._num_parked_steps = 0
@@ -217,11 +213,11 @@ class World:
         pybullet.resetSimulation(flags=flags, physicsClientId=client)
         self._num_kept = 1
         self._saved = -1
-        self._is_loose = False
+        self._residual = _TIGHT_RESIDUAL
         self._set_time_step(1)
         pybullet.setPhysicsEngineParameter(
             numSolverIterations=physics.solver_iterations,
-            solverResidualThreshold=_TIGHT_RESIDUAL,
+            solverResidualThreshold=self._residual,
             deterministicOverlappingPairs=1,
             physicsClientId=client,
         )
@@ -230,9 +226,11 @@ class World:
         self._pusher = Pusher(client, physics)
 
     def _set_residual(self, residual: float) -> None:
-        pybullet.setPhysicsEngineParameter(
-            solverResidualThreshold=residual, physicsClientId=self.client
-        )
+        if residual != self._residual:
+            self._residual = residual
+            pybullet.setPhysicsEngineParameter(
+                solverResidualThreshold=residual, physicsClientId=self.client
+            )
 
     def _set_time_step(self, num_substeps: int) -> None:
         """Let one call of Bullet advance so many time steps."""
