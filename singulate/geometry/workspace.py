@@ -75,7 +75,12 @@ class Workspace:
 
     def cell_centres(self, resolution: int | None = None) -> npt.NDArray[np.float64]:
         """World coordinates [m] of all cell centres, shape (H, W, 2)."""
+        return np.stack(np.meshgrid(*self.cell_axes(resolution)), axis=-1)
+
+    def cell_axes(
+        self, resolution: int | None = None
+    ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
+        """x of the cells' columns, (W,), and y of their rows, (H,) [m]."""
         cells = resolution or self.image_size
         along = (np.arange(cells) + 0.5) * (self.length / cells) - self.half_length
-        x, y = np.meshgrid(along, -along)
-        return np.stack([x, y], axis=-1)
+        return along, -along

@@ -122,9 +122,9 @@ def cell_push(workspace: Workspace, resolution: int, cell: int) -> Push:
 def _distances(prober: Prober, poses: Poses, resolution: int) -> FloatMap:
     """Distance-map value at each start, (4, H, W) [px]."""
     distance_map = prober.look(poses).distance_map
-    centres = prober.workspace.cell_centres(resolution)
-    rows = [prober.workspace.xy_to_row_col(0.0, y)[0] for y in centres[:, 0, 1]]
-    cols = [prober.workspace.xy_to_row_col(x, 0.0)[1] for x in centres[0, :, 0]]
+    columns_x, rows_y = prober.workspace.cell_axes(resolution)
+    rows = [prober.workspace.xy_to_row_col(0.0, y)[0] for y in rows_y.tolist()]
+    cols = [prober.workspace.xy_to_row_col(x, 0.0)[1] for x in columns_x.tolist()]
     return np.broadcast_to(distance_map[np.ix_(rows, cols)], (4, resolution, resolution))
 
 

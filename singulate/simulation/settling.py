@@ -56,11 +56,11 @@ def is_still(speeds: TopSpeeds, limit: float) -> bool:
 
 
 def num_moving_steps(speeds: TopSpeeds, physics: Physics) -> int:
-    """Steps in which friction with the table alone cannot stop the fastest block; at least one.
+    """Steps that friction with the table alone takes to stop the fastest block; at least one.
 
     A block that something else stops sooner merely lies still for a while.
     """
-    num_steps = int((speeds.linear - physics.settle_speed) / physics.sliding_loss)
+    num_steps = math.ceil((speeds.linear - physics.settle_speed) / physics.sliding_loss)
     return min(max(num_steps, 1), _MAX_UNSEEN_STEPS)
 
 
