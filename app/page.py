@@ -9,7 +9,7 @@ from viser._gui_handles import GuiModalHandle
 
 from app.commands import AgentPush, Command, Undo
 from app.fields.catalogue import FIELDS_BY_KEY, computed_fields
-from app.fields.drape import drape
+from app.fields.drape import drape, ingredients
 from app.fields.draped import DrapedField
 from app.fields.inline_image import png_bytes
 from app.keys import bind_keys
@@ -34,7 +34,7 @@ from singulate.geometry import Direction, Workspace
 
 LEFT_WIDTH, RIGHT_WIDTH = 264, 360
 BRAND = (30, 110, 186)
-DRAPE_INTERVAL = 0.1
+DRAPE_INTERVAL = 0.05
 """Shortest time between two pictures on the table [s]."""
 PICTURE_SIZE = (1080, 1920)
 
@@ -188,14 +188,9 @@ class ClientPage:
         self._draped = None
 
     def _update_draped(self, snapshot: Snapshot, now: float) -> None:
-        scene, truth, policy = snapshot.scene, snapshot.reward_map, snapshot.policy
-        run = snapshot.run if FIELDS_BY_KEY[self.preferences.field].follows_run else None
         choices = replace(self.preferences, inspected=None)
-        self._is_drape_old |= self._drape_watch.has_changed(
-            choices, scene and scene.distance_map, scene and scene.rgb, truth and truth.values,
-            policy and policy.q_map, policy and policy.start_density,
-            run and (run.run_dir, run.revision),
-        )  # fmt: skip
+        kind = FIELDS_BY_KEY[choices.field]
+        self._is_drape_old |= self._drape_watch.has_changed(choices, *ingredients(snapshot, kind))
         if self._is_drape_old and self._drape_throttle.is_due(now):
             self._is_drape_old = False
             self._draped = drape(snapshot, choices, self._workspace)

@@ -72,6 +72,21 @@ def _truth_and_belief(snapshot: Snapshot) -> list[Values]:
     return maps
 
 
+def ingredients(snapshot: Snapshot, kind: FieldKind) -> tuple[object, ...]:
+    """All of a snapshot that the picture of a field is made from.
+
+    A field of an earlier scene stays as it is while blocks are dragged; its legend tells its age.
+    """
+    scene, truth, policy = snapshot.scene, snapshot.reward_map, snapshot.policy
+    if kind.follows_run:
+        run = snapshot.run
+        return (run and (run.run_dir, run.revision),)
+    if not kind.needs:
+        return scene and scene.distance_map, scene and scene.rgb
+    values = truth and truth.values, policy and policy.q_map, policy and policy.start_density
+    return *values, truth and policy and truth.scene_version == policy.scene_version
+
+
 def drape(snapshot: Snapshot, preferences: Preferences, workspace: Workspace) -> DrapedField | None:
     """The chosen field as a picture for the table, None where there is nothing to draw."""
     kind = FIELDS_BY_KEY[preferences.field]

@@ -16,11 +16,13 @@ def nearest(values: npt.NDArray[np.generic], resolution: int) -> npt.NDArray[np.
     """
     rows = ((np.arange(resolution) + 0.5) * values.shape[0] / resolution).astype(np.intp)
     cols = ((np.arange(resolution) + 0.5) * values.shape[1] / resolution).astype(np.intp)
-    return np.asarray(values[rows[:, None], cols[None, :]])
+    resampled: npt.NDArray[np.generic] = values.take(cols, axis=1).take(rows, axis=0)
+    return resampled
 
 
 def nearest_stack(values: npt.NDArray[np.float32], resolution: int) -> npt.NDArray[np.float32]:
     """`nearest` for maps that lie on top of each other, float32 (N, H, W)."""
     rows = ((np.arange(resolution) + 0.5) * values.shape[1] / resolution).astype(np.intp)
     cols = ((np.arange(resolution) + 0.5) * values.shape[2] / resolution).astype(np.intp)
-    return values[:, rows[:, None], cols[None, :]]
+    resampled: npt.NDArray[np.float32] = values.take(cols, axis=2).take(rows, axis=1)
+    return resampled

@@ -2,6 +2,7 @@
 
 from functools import lru_cache
 
+import cv2
 import numpy as np
 import numpy.typing as npt
 import viser
@@ -64,7 +65,9 @@ def laid_over(ground: npt.NDArray[np.uint8], rgba: npt.NDArray[np.uint8]) -> npt
     Returns:
         RGB uint8 (640, 640, 3).
     """
-    field = nearest(rgba, WORKSPACE_PIXELS).astype(np.uint16)
-    alpha = field[..., 3:]
-    mixed = field[..., :3] * alpha + ground * (255 - alpha)
-    return ((mixed + 127) // 255).astype(np.uint8)
+    field = nearest(rgba, WORKSPACE_PIXELS).astype(np.uint8, copy=False)
+    colours = cv2.cvtColor(field, cv2.COLOR_RGBA2RGB)
+    alpha = cv2.merge([cv2.extractChannel(field, 3)] * 3)
+    mixed = np.multiply(colours, alpha, dtype=np.uint16)
+    mixed += np.multiply(ground, 255 - alpha, dtype=np.uint16)
+    return np.asarray(cv2.convertScaleAbs(mixed, alpha=1 / 255), np.uint8)

@@ -108,8 +108,10 @@ def drag_block(page: DashboardPage, places: Sequence[tuple[float, float]]) -> li
 
 def _read(log: _Log) -> DragPause:
     moved = log["moved"]
-    coarse = [at for at, fresh in log["fields"] if at > moved and fresh > 0]
-    full = [at for at, fresh in log["fields"] if at > moved and fresh == _FINEST]
+    # The movement before the last one may have its true reward only now.
+    settled = max([moved, *log["poses"]])
+    coarse = [at for at, fresh in log["fields"] if at > settled and fresh > 0]
+    full = [at for at, fresh in log["fields"] if at > settled and fresh == _FINEST]
     return DragPause(
         (coarse[0] - moved) / 1e3 if coarse else math.inf,
         (full[0] - moved) / 1e3 if full else math.inf,

@@ -80,7 +80,7 @@ class Workspace:
     def cell_axes(
         self, resolution: int | None = None
     ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
-        """x of the cells' columns, (W,), and y of their rows, (H,) [m]."""
+        """Places of the cells' columns along x, (W,), and of their rows along y, (H,) [m]."""
         cells = resolution or self.image_size
-        along = (np.arange(cells) + 0.5) * (self.length / cells) - self.half_length
-        return along, -along
+        along = (np.arange(cells, dtype=np.float64) + 0.5) * (self.length / cells)
+        return along - self.half_length, self.half_length - along
