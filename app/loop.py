@@ -65,8 +65,9 @@ class Dashboard:
     def run(self, stop: threading.Event) -> None:
         """Work until `stop` is set.
 
-        Up to 60 times a second while there is news, 30 times shortly after, and 4 times on a calm
-        page, of which there may be many, and which must not slow down a training.
+        Draws up to 60 times a second while there is news, 30 times shortly after, and 4 times on a
+        calm page, of which there may be many, and which must not slow down a training. What arrives
+        between two pictures is passed on at once all the same.
         """
         last_news = time.monotonic()
         while not stop.is_set():
@@ -75,7 +76,9 @@ class Dashboard:
             is_calm = begin - last_news > CALM_AFTER_S
             if self._laboratory.wait(CALM_PERIOD_S if is_calm else USUAL_PERIOD_S):
                 last_news = time.monotonic()
-            stop.wait(max(0.0, SHORTEST_PERIOD_S - (time.monotonic() - begin)))
+            while (early := begin + SHORTEST_PERIOD_S - time.monotonic()) > 0.0:
+                self._laboratory.tick()
+                self._laboratory.wait(early)
 
     def step(self) -> None:
         """One round: who came and went, what happened, what it looks like."""
@@ -84,6 +87,7 @@ class Dashboard:
         self._on_snapshot(snapshot)
         with self._server.atomic():
             self._draw_shared(snapshot)
+        self._server.flush()  # otherwise viser waits for more, for a sixtieth of a second
         for client_id, session in list(self._sessions.items()):
             self._draw(client_id, session, snapshot)
         wanted = {
@@ -100,6 +104,7 @@ class Dashboard:
         try:
             with session.client.atomic():
                 session.update(snapshot)
+            session.client.flush()
         except Exception:
             self._sessions.pop(client_id, None)
             with contextlib.suppress(Exception):

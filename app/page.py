@@ -175,7 +175,8 @@ class ClientPage:
         self._interact.update(snapshot)
         if self._sight.shows(TABLE):
             self._update_draped(snapshot, now)
-            self._legend.update(snapshot, self._draped)
+            if not self._is_drape_old:
+                self._legend.update(snapshot, self._draped)
         if self._sight.shows(FIELDS):
             self._fields.update(snapshot, now)
         if self._sight.shows(TRAINING):

@@ -20,22 +20,24 @@ _WATCH = r"""() => {
     const push = queue.push;
     queue.push = function (...messages) {
         const now = performance.now();
+        let isNews = false;
         for (const message of messages) {
             const legend = /True reward.*?(\d+) \u00d7 \d+([^<]*)/.exec(message.updates?.content);
             if (legend?.[2].includes("earlier")) fresh = 0;
             else if (legend) fresh = legend[2].includes("%") ? 1 : Number(legend[1]);
-            if (message.name === "/field") log.fields.push([now, fresh]);
+            isNews ||= legend || message.name === "/field";
             if (message.name === "BLOCK" && message.type === "SetPositionMessage") {
                 log.poses.push(now);
             }
         }
+        if (isNews) log.fields.push([now, fresh]);
         return push.apply(this, messages);
     };
     const count = () => { log.frames.push(performance.now()); requestAnimationFrame(count); };
     requestAnimationFrame(count);
 }""".replace("BLOCK", _BLOCK)
-"""The legend of a true reward tells its fineness, and whether it is of an earlier table; it
-arrives before the picture."""
+"""The legend of a true reward tells its fineness, and whether it is of an earlier table. It arrives
+with the picture, or alone where the picture of the new place is the one that is there."""
 
 _SWEEP = """([begin, end, seconds]) => new Promise((resolve) => {
     const log = window.__dragLog;
