@@ -2,6 +2,7 @@
 
 import signal
 import statistics
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -16,6 +17,9 @@ _HELD_UP = 0.5
 """A page that is stopped while it reads the record holds the training up, which then falls below
 this share of its usual speed."""
 _MAX_TRIES = 10
+_RECOVERY_S = 0.5
+"""How long the page may work before it is stopped again, so that it does not stop at the same
+place."""
 
 
 class Tax(NamedTuple):
@@ -78,6 +82,7 @@ def measure_tax(
             if rate > _HELD_UP * usual:
                 tax.alone.append(rate)
                 return
+            time.sleep(_RECOVERY_S)
         raise SingulateError("the training stands still whenever the page does")
 
     def work() -> None:
