@@ -5,6 +5,7 @@ import os
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -20,6 +21,9 @@ from singulate.bench.dashboard_process import (
 from singulate.bench.dashboard_socket import open_socket
 from singulate.bench.measurement import BenchOptions, Measurement
 from singulate.exceptions import SingulateError
+
+if TYPE_CHECKING:
+    from singulate.bench.dashboard_tax import Tax
 
 NUM_CLICKS = 20
 _FREE_PLACES = ((-0.8, -0.7), (0.8, -0.7), (-0.6, -0.8), (0.6, -0.8))
@@ -92,42 +96,46 @@ def _dragging(directory: Path, num_repeats: int) -> Iterator[Measurement]:
 
 
 def _beside_training(directory: Path, options: BenchOptions) -> Iterator[Measurement]:
-    from singulate.bench.dashboard_tax import Tax, measure_tax, tree
+    from singulate.bench.dashboard_tax import measure_tax, tree
 
     run_dir = directory / "run"
-    taxes: dict[str, Tax] = {}
     num_pairs = _PAIRS_PER_REPEAT * options.num_repeats
     with running_trainer(run_dir), running_dashboard(directory, run_dir) as dashboard:
         with open_socket(dashboard.url) as socket:
             undrawn = [socket.click(*_place(i)) for i in range(NUM_CLICKS)]
             trained_bytes = socket.num_bytes(options.seconds) / options.seconds
+        note = f"{NUM_CLICKS} clicks over the page's websocket, an agent trains, nothing is drawn"
+        yield from _spread("click to motion at the server", undrawn, note)
+        with open_page(dashboard.url, directory) as page:
+            page.wait_for_reward_map()
+            clicks = [page.click(*_place(i)) for i in range(NUM_CLICKS)]
+            frame_rate = page.frames_per_second(2.0)
+        yield from _clicks(clicks, frame_rate)
+        yield Measurement(
+            "bytes to a client beside training", trained_bytes, "B/s", "curves, starts"
+        )
         with open_page(dashboard.url, directory, niceness=_STANDING_BACK) as page:
+            page.press("Reset")
             page.wait_for_reward_map()
 
-            def taxed(act: Callable[[], None] = lambda: None) -> Tax:
+            def taxed(act: Callable[[], None] = lambda: None) -> "Tax":
                 browser = [each for each in tree(os.getpid()) if "chrom" in each.name()]
                 processes = [*tree(dashboard.pid), *browser]
                 seconds = options.seconds / 2.0
                 return measure_tax(run_dir, processes, seconds, num_pairs, act)
 
-            taxes["idle"] = taxed()
-            taxes["all fields anew"] = taxed(lambda: page.press("Next seed"))
-        with open_page(dashboard.url, directory) as page:
-            page.press("Reset")
-            page.wait_for_reward_map()
-            clicks = [page.click(*_place(i)) for i in range(NUM_CLICKS)]
-            frame_rate = page.frames_per_second(2.0)
-    note = f"{NUM_CLICKS} clicks over the page's websocket, an agent trains, nothing is drawn"
-    yield from _spread("click to motion at the server", undrawn, note)
-    yield from _clicks(clicks, frame_rate)
-    yield Measurement("bytes to a client beside training", trained_bytes, "B/s", "curves, starts")
-    for name, tax in taxes.items():
-        first, third = tax.quartiles
-        yield Measurement(
-            f"training speed kept, page open, {name}", tax.speed_kept, "",
-            f"DQN on {SCENARIO}, exploring; pushes/s with the page at work against stopped, by "
-            f"turns: median of {num_pairs} pairs, half of them from {first:.2f} to {third:.2f}",
-        )  # fmt: skip
+            yield _tax("page open, idle", taxed(), num_pairs)
+            all_anew = taxed(lambda: page.press("Next seed"))
+            yield _tax("page open, all fields anew", all_anew, num_pairs)
+
+
+def _tax(name: str, tax: "Tax", num_pairs: int) -> Measurement:
+    first, third = tax.quartiles
+    return Measurement(
+        f"training speed kept, {name}", tax.speed_kept, "",
+        f"DQN on {SCENARIO}, exploring; pushes/s with the page at work against stopped, by "
+        f"turns: median of {num_pairs} pairs, half of them from {first:.2f} to {third:.2f}",
+    )  # fmt: skip
 
 
 def _place(index: int) -> tuple[float, float]:

@@ -22,7 +22,7 @@ from singulate.bench.plot import check_plot_target, save_plot
 from singulate.bench.results import BenchResults, read_results
 from singulate.bench.soak import read_soak
 from singulate.cli.targets import check_file_target
-from singulate.exceptions import InvalidValueError
+from singulate.exceptions import InvalidValueError, SingulateError
 
 if TYPE_CHECKING:
     Subparsers = argparse._SubParsersAction[argparse.ArgumentParser]
@@ -115,14 +115,24 @@ def _save(results: BenchResults, out: Path | None, plot: Path | None, page: Path
 def _measure(
     names: Sequence[str], options: BenchOptions, console: Console, is_shown: bool
 ) -> BenchResults:
+    """Run benchmarks; of one that breaks off, what it has measured is printed all the same."""
     results = BenchResults(describe_machine(), {}, {})
     for name in names:
         began = time.monotonic()
-        with console.status(f"measuring: {name}"):
-            results.benchmarks[name] = list(BENCHMARKS[name](options))
-        results.seconds[name] = round(time.monotonic() - began, 1)
-        if is_shown:
-            console.print(_table(name, results.benchmarks[name], results.seconds[name]))
+        measured = results.benchmarks[name] = []
+        results.seconds[name] = 0.0
+        try:
+            with console.status(f"measuring: {name}"):
+                for measurement in BENCHMARKS[name](options):
+                    measured.append(measurement)
+                    results.seconds[name] = round(time.monotonic() - began, 1)
+        except SingulateError:
+            if not is_shown:
+                print(results.to_json())
+            raise
+        finally:
+            if is_shown:
+                console.print(_table(name, measured, results.seconds[name]))
     return results
 
 

@@ -141,6 +141,22 @@ def test_machine_readable_output_names_the_machine(
     assert read_results(out).benchmarks["env"][0].name == "random pushes, fast, 1 worker"
 
 
+def test_what_was_measured_before_a_benchmark_broke_off_is_printed(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("singulate.bench.env.PEERS", {})
+    monkeypatch.setenv("PATH", str(tmp_path))  # no browser here
+    arguments = ["env", "dashboard", "--seconds", "0.05", "--workers", "1", "--json"]
+    assert main(["bench", *arguments]) == 2
+    printed = capsys.readouterr()
+    assert printed.err.startswith("singulate: error: bench dashboard needs a browser")
+    found = tmp_path / "bench.json"
+    found.write_text(printed.out)
+    results = read_results(found)
+    assert results.benchmarks["env"] and not results.benchmarks["dashboard"]
+    assert main(["bench", "--read", str(found)]) == 0
+
+
 @pytest.mark.parametrize(
     ("arguments", "key"),
     [
