@@ -1,13 +1,11 @@
 """The blocks of a scene in Bullet: where they are and how they move."""
 
-import math
-
 from singulate.geometry import BlockPose, Poses
 from singulate.simulation.bodies import add_blocks
 from singulate.simulation.boxes import move_body
 from singulate.simulation.bullet import pybullet
 from singulate.simulation.fallen import is_fallen, on_the_floor
-from singulate.simulation.motion import BlockMotion, Motion, TopSpeeds
+from singulate.simulation.motion import BlockMotion, Motion, TopSpeeds, fastest
 from singulate.simulation.physics import Physics
 from singulate.simulation.resting import resting_place
 
@@ -75,13 +73,13 @@ class Blocks:
 
     def top_speeds(self) -> TopSpeeds:
         """Speeds of the fastest blocks on the table."""
-        linear, angular = [0.0], [0.0]
-        for i, body in enumerate(self._bodies):
-            if i not in self._fallen:
-                (vx, vy, vz), (wx, wy, wz) = pybullet.getBaseVelocity(body, self._client)
-                linear.append(vx * vx + vy * vy + vz * vz)
-                angular.append(wx * wx + wy * wy + wz * wz)
-        return TopSpeeds(_highest_root(linear), _highest_root(angular))
+        return fastest(
+            [
+                pybullet.getBaseVelocity(body, self._client)
+                for i, body in enumerate(self._bodies)
+                if i not in self._fallen
+            ]
+        )
 
     def take_away_fallen(self) -> Poses:
         """Take blocks that have left the table out of the way, down to the floor.
@@ -113,8 +111,3 @@ class Blocks:
         elif body is not None:
             self._fallen.pop(index, None)
             move_body(self._client, body, *resting_place(pose))
-
-
-def _highest_root(squares: list[float]) -> float:
-    """Root of the highest; NaN where one is not a number."""
-    return math.sqrt(math.nan if math.isnan(sum(squares)) else max(squares))

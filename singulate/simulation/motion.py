@@ -1,6 +1,7 @@
 """How the blocks move at one moment."""
 
 import math
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from singulate.geometry import BlockPose
@@ -40,6 +41,19 @@ class TopSpeeds(NamedTuple):
     angular: float
 
 
+def fastest(velocities: Iterable[tuple[Vector3, Vector3]]) -> TopSpeeds:
+    """The highest speeds of some blocks.
+
+    Args:
+        velocities: Velocity of the centre [m/s] and angular velocity [rad/s] of each.
+    """
+    linear, angular = [0.0], [0.0]
+    for (vx, vy, vz), (wx, wy, wz) in velocities:
+        linear.append(vx * vx + vy * vy + vz * vz)
+        angular.append(wx * wx + wy * wy + wz * wz)
+    return TopSpeeds(_highest_root(linear), _highest_root(angular))
+
+
 def is_same(one: Motion, other: Motion) -> bool:
     """Whether two moments differ by nothing but the trembling of blocks at rest."""
     return all(
@@ -49,3 +63,8 @@ def is_same(one: Motion, other: Motion) -> bool:
         < 100 * _TREMBLE
         for a, b in zip(one, other, strict=True)
     )
+
+
+def _highest_root(squares: list[float]) -> float:
+    """Root of the highest; NaN where one is not a number."""
+    return math.sqrt(math.nan if math.isnan(sum(squares)) else max(squares))

@@ -59,7 +59,7 @@ def simulate_push(
         return 0, True
     world.park_pusher()
     world.take_away_fallen()
-    return (yield from settle(world, is_watched=is_watched))
+    return (yield from settle(world, world.top_speeds(), is_watched=is_watched))
 
 
 def _retreat(

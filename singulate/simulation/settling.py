@@ -12,11 +12,14 @@ _MAX_UNSEEN_STEPS = 8
 """Blocks that fall off the table, and are never still, are taken away this often."""
 
 
-def settle(world: World, *, is_watched: bool) -> Generator[None, None, tuple[int, bool]]:
+def settle(
+    world: World, speeds: TopSpeeds, *, is_watched: bool
+) -> Generator[None, None, tuple[int, bool]]:
     """Step until all blocks are still, for a limited time; those that fell off are taken away.
 
     Args:
         world: Holds the blocks; its pusher is parked.
+        speeds: Of the fastest blocks at the beginning, when none lies unnoticed beside the table.
         is_watched: Whether to stop after each time step.
 
     Yields:
@@ -31,10 +34,6 @@ def settle(world: World, *, is_watched: bool) -> Generator[None, None, tuple[int
     physics = world.physics
     num_steps, looked_at = 0, 0
     while True:
-        if num_steps - looked_at >= _MAX_UNSEEN_STEPS or num_steps == physics.max_settle_steps:
-            world.take_away_fallen()
-            looked_at = num_steps
-        speeds = world.top_speeds()
         check_speeds(speeds, physics.max_speed)
         if is_still(speeds, physics.settle_speed):
             return num_steps, True
@@ -48,6 +47,10 @@ def settle(world: World, *, is_watched: bool) -> Generator[None, None, tuple[int
         else:
             world.step(num_more)
         num_steps += num_more
+        if num_steps - looked_at >= _MAX_UNSEEN_STEPS or num_steps == physics.max_settle_steps:
+            world.take_away_fallen()
+            looked_at = num_steps
+        speeds = world.top_speeds()
 
 
 def is_still(speeds: TopSpeeds, limit: float) -> bool:

@@ -15,7 +15,7 @@ from singulate.exceptions import InvalidValueError, SimulationError
 from singulate.geometry import CameraFrame, Poses, Push, Workspace
 from singulate.simulation.approach import SWEEP_MARGIN, block_intervals
 from singulate.simulation.camera import OverheadCamera
-from singulate.simulation.motion import Motion, is_same
+from singulate.simulation.motion import Motion, fastest, is_same
 from singulate.simulation.physics import Physics
 from singulate.simulation.pixel_window import window_of
 from singulate.simulation.push_simulation import LEAD_STEPS, MAX_PUSHER_ERROR
@@ -181,8 +181,8 @@ class SharedTrajectories:
         try:
             self._settling.set_motion(motion)
             self._settling.loosen()
-            for _ in settle(self._settling, is_watched=False):
-                continue
+            speeds = fastest((block.velocity, block.spin) for block in motion)
+            deque(settle(self._settling, speeds, is_watched=False), maxlen=0)
             return self._settling.checked_poses()
         except SimulationError:
             self._settling.discard()
