@@ -142,7 +142,7 @@ def recorded_env_config(scenes: RecordedScenes, observation: str, action: str) -
 def _percept(scene: RecordedScene, workspace: Workspace) -> Percept:
     label_image = label_segments(scene.mask)
     separations = segment_separations(label_image, workspace.metres_per_pixel)
-    return Percept(scene.mask, label_image, separations)
+    return Percept(int(label_image.max()), separations, scene.mask, label_image)
 
 
 def _push_outcome(outcome: str) -> PushOutcome:

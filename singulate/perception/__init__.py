@@ -7,16 +7,19 @@ from singulate.perception.inter_object_distance import (
     truncated_inter_object_distance,
 )
 from singulate.perception.percept import Percept, perceive
+from singulate.perception.segmentation import Segmentation, segment
 from singulate.perception.segments import label_segments
 from singulate.perception.separation import segment_separations
 
 __all__ = [
     "Percept",
+    "Segmentation",
     "distance_map",
     "foreground_mask",
     "inter_object_distance",
     "label_segments",
     "perceive",
+    "segment",
     "segment_separations",
     "truncated_inter_object_distance",
 ]

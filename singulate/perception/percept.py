@@ -10,46 +10,27 @@ from singulate.exceptions import InvalidValueError
 from singulate.geometry import CameraFrame, Workspace
 from singulate.perception.distance_map import distance_map
 from singulate.perception.foreground import foreground_mask
-from singulate.perception.inter_object_distance import (
-    inter_object_distance,
-    truncated_inter_object_distance,
-)
+from singulate.perception.segmentation import Segmentation
 from singulate.perception.segments import label_segments
 from singulate.perception.separation import segment_separations
 
 
 @dataclass(frozen=True, eq=False)
-class Percept:
+class Percept(Segmentation):
     """What one picture of the table shows.
 
     Attributes:
         mask: Pixels that show objects, bool (H, W).
         label_image: 0 on the background, 1 to K on the segments, int32 (H, W).
-        separations: Edge-to-edge distance of every pair of segments, (K * (K - 1) / 2,) [m].
     """
 
     mask: npt.NDArray[np.bool_]
     label_image: npt.NDArray[np.int32]
-    separations: npt.NDArray[np.float64]
 
     @cached_property
     def distance_map(self) -> npt.NDArray[np.float32]:
         """Distance to the closest object, -1 inside, float32 (H, W) [px] (paper, section 3.1)."""
         return distance_map(self.mask)
-
-    @cached_property
-    def num_segments(self) -> int:
-        """How many objects the picture can tell apart, K."""
-        return int(self.label_image.max())
-
-    @property
-    def inter_object_distance(self) -> float:
-        """d_IO, the sum of all separations [m] (paper, Eq. 1)."""
-        return inter_object_distance(self.separations)
-
-    def inter_object_distance_truncated(self, goal: float) -> float:
-        """d_IOT, the sum of all separations, each counted up to `goal` [m] (paper, Eq. 2)."""
-        return truncated_inter_object_distance(self.separations, goal)
 
 
 def perceive(frame: CameraFrame, workspace: Workspace) -> Percept:
@@ -71,4 +52,4 @@ def perceive(frame: CameraFrame, workspace: Workspace) -> Percept:
     mask = foreground_mask(frame)
     label_image = label_segments(mask)
     separations = segment_separations(label_image, workspace.metres_per_pixel)
-    return Percept(mask, label_image, separations)
+    return Percept(int(label_image.max()), separations, mask, label_image)

@@ -31,7 +31,11 @@ def segment_separations(
     """
     if label_image.max(initial=0) < 2:
         return np.empty(0)  # most pictures show a single segment
-    masks = _segment_masks(label_image)
+    return mask_separations(_segment_masks(label_image), metres_per_pixel)
+
+
+def mask_separations(masks: list[Mask], metres_per_pixel: float) -> npt.NDArray[np.float64]:
+    """`segment_separations` from the mask of each segment, all in the same window."""
     squared = [
         distance for i, mask in enumerate(masks) for distance in _squared(mask, masks[i + 1 :])
     ]

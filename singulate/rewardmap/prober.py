@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from singulate.envs.push_task import PushTask
 from singulate.exceptions import SimulationError
 from singulate.geometry import Poses, Push, Workspace
-from singulate.perception import Percept, perceive
+from singulate.perception import Percept, Segmentation, segment
 from singulate.rewards import TERMS, Transition, reward_terms
 from singulate.simulation.shared_trajectory import LineEnd, SharedTrajectories
 
@@ -75,15 +75,15 @@ class Prober:
     def _try_line(self, poses: Poses, pushes: Sequence[Push]) -> list[dict[str, float]]:
         before = self.look(poses)
         ends = list(self._shared.ends(pushes))
-        percepts = {id(poses): before, **self._look_at_ends(ends, poses)}
+        seen = {id(poses): before, **self._look_at_ends(ends, poses)}
         terms = [dict.fromkeys(TERMS, 0.0) for _ in pushes]
         for index, rest in ends:
             if rest is not None:  # otherwise paid nothing
-                after = percepts[id(rest)]
+                after = seen[id(rest)]
                 terms[index] = self._terms(before, pushes[index], after, False, len(poses))
         return terms
 
-    def _look_at_ends(self, ends: Sequence[LineEnd], poses: Poses) -> dict[int, Percept]:
+    def _look_at_ends(self, ends: Sequence[LineEnd], poses: Poses) -> dict[int, Segmentation]:
         """What the camera sees of the ends at which something has moved, by the poses' `id`.
 
         Picture after picture, then image after image: the processor finds in its caches what one
@@ -93,7 +93,8 @@ class Prober:
         frames = {
             key: self._shared.photograph(rest) for key, rest in rests.items() if rest is not None
         }
-        return {key: perceive(frame, self.workspace) for key, frame in frames.items()}
+        pixel = self.workspace.metres_per_pixel
+        return {key: segment(frame, pixel) for key, frame in frames.items()}
 
     def idle_terms(self, poses: Poses, push: Push, is_inside: bool) -> dict[str, float]:
         """The unweighted reward terms of a push that moves nothing."""
@@ -106,7 +107,7 @@ class Prober:
         self._shared.close()
 
     def _terms(
-        self, before: Percept, push: Push, after: Percept, is_inside: bool, num_blocks: int
+        self, before: Percept, push: Push, after: Segmentation, is_inside: bool, num_blocks: int
     ) -> dict[str, float]:
         goal = self._task.goal_separation
         return reward_terms(

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from singulate.geometry import Push, Workspace
-from singulate.perception import Percept
+from singulate.perception import Percept, Segmentation
 from singulate.rewards.distance import distance_reward
 from singulate.rewards.inside import inside_reward
 from singulate.rewards.start import object_distance, start_reward
@@ -26,7 +26,7 @@ class Transition(NamedTuple):
 
     before: Percept
     push: Push
-    after: Percept
+    after: Segmentation
     is_inside: bool
     num_blocks: int
     goal_separation: float

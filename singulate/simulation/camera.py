@@ -53,8 +53,15 @@ class OverheadCamera:
         depth = self._bare_depth.copy()
         if window is not None:
             top, bottom, left, right = window
-            _, depth[top:bottom, left:right] = self._draw(client, window)
+            depth[top:bottom, left:right] = self.photograph_part(client, window).depth
         return CameraFrame(self._bare_colours, depth, CAMERA_HEIGHT)
+
+    def photograph_part(self, client: int, window: PixelWindow) -> CameraFrame:
+        """Only the part of the picture that a window shows, its colours all white."""
+        height, width = window.shape
+        _, depth = self._draw(client, window)
+        colours = self._bare_colours[:height, :width]
+        return CameraFrame(colours, depth.astype(np.float32), CAMERA_HEIGHT)
 
     def _draw(
         self, client: int, window: PixelWindow

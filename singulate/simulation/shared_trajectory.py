@@ -17,11 +17,12 @@ from singulate.simulation.approach import SWEEP_MARGIN, block_intervals
 from singulate.simulation.camera import OverheadCamera
 from singulate.simulation.motion import Motion, fastest, is_same
 from singulate.simulation.physics import Physics
-from singulate.simulation.pixel_window import window_of
+from singulate.simulation.pixel_window import PixelWindow, window_of
 from singulate.simulation.push_simulation import LEAD_STEPS, MAX_PUSHER_ERROR
 from singulate.simulation.settling import settle
 from singulate.simulation.world import World
 
+_ANY_PIXEL = PixelWindow(0, 1, 0, 1)
 _RUB_MARGIN = 1e-4
 """A pusher that comes down beside a block at more than this does not touch it there [m]."""
 
@@ -105,10 +106,10 @@ class SharedTrajectories:
             yield from self._follow(line, contact, group)
 
     def photograph(self, poses: Poses) -> CameraFrame:
-        """What the camera sees of an end."""
+        """The part of the camera's picture of an end in which all blocks are."""
         self._settling.show(poses)
-        window = window_of(poses, self._workspace)
-        return self._camera.photograph_window(self._settling.client, window)
+        window = window_of(poses, self._workspace) or _ANY_PIXEL
+        return self._camera.photograph_part(self._settling.client, window)
 
     def _put_up(self) -> None:
         """Build the world of the pusher and let the blocks settle, as before any push."""

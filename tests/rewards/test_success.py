@@ -10,7 +10,7 @@ from singulate.rewards import is_success, success_reward
 def percept(num_segments: int, separations: list[float]) -> Percept:
     labels = np.zeros((64, 64), np.int32)
     labels[0, : 2 * num_segments : 2] = np.arange(1, num_segments + 1)
-    return Percept(labels > 0, labels, np.array(separations))
+    return Percept(int(labels.max()), np.array(separations), labels > 0, labels)
 
 
 def test_two_blocks_far_enough_apart() -> None:
