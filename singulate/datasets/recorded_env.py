@@ -11,9 +11,7 @@ from singulate.envs import EnvConfig, make_action_encoding, make_observation
 from singulate.exceptions import InvalidValueError
 from singulate.geometry import Poses, Push, Workspace, standing_pose
 from singulate.outcomes import OUTCOMES
-from singulate.perception import Percept
-from singulate.perception.segments import label_segments
-from singulate.perception.separation import segment_separations
+from singulate.perception import percept_of_mask
 from singulate.rewards import TERMS, make_reward, object_distance, start_reward
 from singulate.simulation import PushOutcome
 
@@ -58,7 +56,7 @@ class RecordedPushEnv(gymnasium.Env[Any, Any]):
         if options:
             raise InvalidValueError("options", options, "nothing: scenes are recorded ones")
         self._scene = self._scenes[int(self.np_random.integers(len(self._scenes)))]
-        self._percept = _percept(self._scene, self._workspace)
+        self._percept = percept_of_mask(self._scene.mask, self._workspace.metres_per_pixel)
         return self._observation.observe(self._percept), self._info(is_success=False)
 
     def step(
@@ -137,12 +135,6 @@ def recorded_env_config(scenes: RecordedScenes, observation: str, action: str) -
         max_pushes=1,
         goal_separation=recorded.goal_separation,
     )
-
-
-def _percept(scene: RecordedScene, workspace: Workspace) -> Percept:
-    label_image = label_segments(scene.mask)
-    separations = segment_separations(label_image, workspace.metres_per_pixel)
-    return Percept(int(label_image.max()), separations, scene.mask, label_image)
 
 
 def _push_outcome(outcome: str) -> PushOutcome:

@@ -6,7 +6,7 @@ from singulate.perception.inter_object_distance import (
     inter_object_distance,
     truncated_inter_object_distance,
 )
-from singulate.perception.percept import Percept, perceive
+from singulate.perception.percept import Percept, perceive, percept_of_mask
 from singulate.perception.segmentation import Segmentation, segment
 from singulate.perception.segments import label_segments
 from singulate.perception.separation import segment_separations
@@ -19,6 +19,7 @@ __all__ = [
     "inter_object_distance",
     "label_segments",
     "perceive",
+    "percept_of_mask",
     "segment",
     "segment_separations",
     "truncated_inter_object_distance",

@@ -49,7 +49,11 @@ def perceive(frame: CameraFrame, workspace: Workspace) -> Percept:
     size = workspace.image_size
     if frame.depth.shape != (size, size):
         raise InvalidValueError("frame.depth", frame.depth.shape, f"an image of {size} x {size} px")
-    mask = foreground_mask(frame)
+    return percept_of_mask(foreground_mask(frame), workspace.metres_per_pixel)
+
+
+def percept_of_mask(mask: npt.NDArray[np.bool_], metres_per_pixel: float) -> Percept:
+    """What follows from the pixels that show objects, bool (H, W)."""
     label_image = label_segments(mask)
-    separations = segment_separations(label_image, workspace.metres_per_pixel)
+    separations = segment_separations(label_image, metres_per_pixel)
     return Percept(int(label_image.max()), separations, mask, label_image)

@@ -19,7 +19,7 @@ def settle(
 
     Args:
         world: Holds the blocks; its pusher is parked.
-        speeds: Of the fastest blocks at the beginning, when none lies unnoticed beside the table.
+        speeds: Of the fastest blocks at the beginning; those that fell off have been taken away.
         is_watched: Whether to stop after each time step.
 
     Yields:
