@@ -8,11 +8,12 @@ from app.aim import Aim
 from app.block_pointer import BlockPointer
 from app.commands import Command, PushNow
 from app.page import ClientPage
+from app.page_script import run_script
 from app.pointer import Point, Pointer, PointerActions
 from app.snapshot import SceneSnapshot, Snapshot
 from app.views.arrows import AimView, GhostView
 from app.views.camera import CameraView
-from app.views.field import FieldView
+from app.views.field import FIELD_NODE, FieldView
 from app.views.pusher import PUSHER_HEIGHT, ActorNameView
 from app.views.table import RimView
 from singulate.geometry import Push, Workspace
@@ -42,6 +43,7 @@ class ClientSession:
         self._workspace = workspace
         self._start: Point | None = None
         self._scene: SceneSnapshot | None = None
+        run_script(client, "redraw.js", field=FIELD_NODE)
         self._rim = RimView(client.scene, workspace)
         self._field = FieldView(client.scene, workspace)
         self._aim_view = AimView(client, workspace)

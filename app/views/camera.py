@@ -6,7 +6,6 @@ from typing import NamedTuple
 import numpy as np
 import viser
 
-from app.page_script import run_script
 from app.views.table import MARGIN
 from singulate.geometry import Workspace
 
@@ -63,7 +62,6 @@ class CameraView:
         self._aspect = 0.0
         self._view = tilted_view
         self._pose: CameraPose | None = None
-        run_script(client, "camera_lock.js")
 
     def update(self) -> None:
         """Follow the picture's proportions."""

@@ -13,6 +13,8 @@ from app.views.palette import surface
 from app.views.table_marks import WORKSPACE_PIXELS, workspace_marks
 from singulate.geometry import Workspace
 
+FIELD_NODE = "/field"
+
 
 class FieldView:
     """The square of the workspace in one browser, one picture whatever lies on it.
@@ -29,7 +31,7 @@ class FieldView:
         self._workspace = workspace
         self._shown: tuple[DrapedField | None, bool] | None = None
         self.image = scene.add_image(
-            "/field",
+            FIELD_NODE,
             np.zeros((2, 2, 3), dtype=np.uint8),
             workspace.length,
             workspace.length,

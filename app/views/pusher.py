@@ -38,20 +38,27 @@ class PusherView:
 
 
 class ActorNameView:
-    """Says above the pusher or a block who is moving it, in the browsers of the others."""
+    """Says above the pusher or a block who is moving it, in the browsers of the others.
+
+    The label is only there while it is shown: viser writes to all labels for each picture, hidden
+    ones too, so that a browser cannot tell which part of its picture has changed.
+    """
 
     def __init__(self, scene: viser.SceneApi) -> None:
-        self._label = scene.add_label(
-            "/actor_name", "", visible=False, anchor="bottom-center", font_screen_scale=0.9
-        )
-        self._shown = ""
+        self._scene = scene
+        self._label: viser.LabelHandle | None = None
 
     def update(self, name: str, place: tuple[float, float, float] | None) -> None:
-        """Show a name at a place (x, y, z) [m]; an empty name or no place hides it."""
-        is_shown = bool(name) and place is not None
-        if place is not None and is_shown:
+        """Show a name at a place (x, y, z) [m]; an empty name or no place takes it away."""
+        if not name or place is None:
+            if self._label is not None:
+                self._label.remove()
+                self._label = None
+        elif self._label is None:
+            self._label = self._scene.add_label(
+                "/actor_name", name, anchor="bottom-center", font_screen_scale=0.9, position=place
+            )
+        else:
             self._label.position = place
-            if name != self._shown:
-                self._label.text = self._shown = name
-        if self._label.visible != is_shown:
-            self._label.visible = is_shown
+            if self._label.text != name:
+                self._label.text = name

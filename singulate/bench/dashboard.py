@@ -90,7 +90,7 @@ def _dragging(directory: Path, num_repeats: int) -> Iterator[Measurement]:
     yield from _spread("pause to full true reward", [pause.full_s for pause in pauses], note)
     for name, values in (
         ("places of a dragged block", [pause.poses_per_second for pause in pauses]),
-        ("frames while dragging", [pause.frames_per_second for pause in pauses]),
+        ("pictures while dragging", [pause.pictures_per_second for pause in pauses]),
     ):
         yield Measurement(name, float(np.median(values)), "1/s", f"{note}, software rendering")
 
@@ -109,8 +109,8 @@ def _beside_training(directory: Path, options: BenchOptions) -> Iterator[Measure
         with open_page(dashboard.url, directory) as page:
             page.wait_for_reward_map()
             clicks = [page.click(*_place(i)) for i in range(NUM_CLICKS)]
-            frame_rate = page.frames_per_second(2.0)
-        yield from _clicks(clicks, frame_rate)
+            picture_rate = page.pictures_per_second(2.0)
+        yield from _clicks(clicks, picture_rate)
         yield Measurement(
             "bytes to a client beside training", trained_bytes, "B/s", "curves, starts"
         )
@@ -142,14 +142,14 @@ def _place(index: int) -> tuple[float, float]:
     return _FREE_PLACES[index % len(_FREE_PLACES)]
 
 
-def _clicks(clicks: Sequence[ClickTimes], frame_rate: float) -> Iterator[Measurement]:
+def _clicks(clicks: Sequence[ClickTimes], picture_rate: float) -> Iterator[Measurement]:
     note = (
         f"{len(clicks)} clicks, from the release of the button, an agent trains, software rendering"
     )
     yield from _spread("click to motion in the browser", [each.motion for each in clicks], note)
     yield from _spread("click to picture", [each.picture for each in clicks], note)
     size = f"{VIEWPORT[0]} x {VIEWPORT[1]}"
-    yield Measurement("frames of the page", frame_rate, "1/s", f"{size}, software rendering")
+    yield Measurement("whole pictures", picture_rate, "1/s", f"{size}, software rendering")
 
 
 def _spread(name: str, seconds: Sequence[float], note: str) -> Iterator[Measurement]:

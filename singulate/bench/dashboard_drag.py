@@ -14,7 +14,7 @@ _BLOCK = "/blocks/0"
 _FINEST = 64
 
 _WATCH = r"""() => {
-    const log = (window.__dragLog = {moved: 0, fields: [], poses: [], frames: []});
+    const log = (window.__dragLog = {moved: 0, fields: [], poses: [], drawn: []});
     let fresh = 0;
     const queue = window.__viserMutable.messageQueue;
     const push = queue.push;
@@ -33,15 +33,24 @@ _WATCH = r"""() => {
         if (isNews) log.fields.push([now, fresh]);
         return push.apply(this, messages);
     };
-    const count = () => { log.frames.push(performance.now()); requestAnimationFrame(count); };
-    requestAnimationFrame(count);
+    const context = window.__viserMutable.canvas.getContext("webgl2");
+    const draw = context.drawElements;
+    let isDrawn = false;
+    context.drawElements = (...call) => { isDrawn = true; draw.apply(context, call); };
+    const look = () => {
+        if (isDrawn) log.drawn.push(performance.now());
+        isDrawn = false;
+        requestAnimationFrame(look);
+    };
+    requestAnimationFrame(look);
 }""".replace("BLOCK", _BLOCK)
 """The legend of a true reward tells its fineness, and whether it is of an earlier table. It arrives
-with the picture, or alone where the picture of the new place is the one that is there."""
+with the picture, or alone where the picture of the new place is the one that is there. A page
+draws nothing in a frame in which nothing has changed; only frames in which it does are counted."""
 
 _SWEEP = """([begin, end, seconds]) => new Promise((resolve) => {
     const log = window.__dragLog;
-    Object.assign(log, {fields: [], poses: [], frames: []});
+    Object.assign(log, {fields: [], poses: [], drawn: []});
     const start = performance.now();
     const timer = setInterval(() => {
         const share = Math.min(1, (performance.now() - start) / (1000 * seconds));
@@ -65,20 +74,20 @@ class DragPause(NamedTuple):
         coarse_s: From the last movement until a true reward of the new place has come [s].
         full_s: Until it was complete [s]; infinite where it was not before the next movement.
         poses_per_second: Places of the block that came while it moved.
-        frames_per_second: Frames of the page meanwhile.
+        pictures_per_second: Pictures that the page drew meanwhile.
     """
 
     coarse_s: float
     full_s: float
     poses_per_second: float
-    frames_per_second: float
+    pictures_per_second: float
 
 
 class _Log(TypedDict):
     moved: float
     fields: list[tuple[float, int]]
     poses: list[float]
-    frames: list[float]
+    drawn: list[float]
 
 
 def drag_block(page: DashboardPage, places: Sequence[tuple[float, float]]) -> list[DragPause]:
@@ -118,5 +127,5 @@ def _read(log: _Log) -> DragPause:
         (coarse[0] - moved) / 1e3 if coarse else math.inf,
         (full[0] - moved) / 1e3 if full else math.inf,
         sum(at <= moved for at in log["poses"]) / SWEEP_S,
-        sum(at <= moved for at in log["frames"]) / SWEEP_S,
+        sum(at <= moved for at in log["drawn"]) / SWEEP_S,
     )

@@ -14,12 +14,6 @@ PLACES = {
     "4": ((0.31, 0.45), (-1.0, 0.0)),
 }
 
-COUNT_DRAWINGS = """() => {
-    const viewer = window.__viserMutable, draw = viewer.requestRender;
-    window.__numDrawings = 0;
-    viewer.requestRender = () => { window.__numDrawings += 1; draw(); };
-}"""
-
 
 def check_push(page: Any, start: tuple[float, float], direction: tuple[float, float]) -> None:
     """Wait for a push and compare it with the one that was meant, to 2 cm."""
@@ -72,19 +66,6 @@ def test_dragging_with_the_right_button_moves_the_camera_and_pushes_nothing(page
     page.page.wait_for_timeout(300)
     assert page.position("/ghost") == before
     page.look_from_top()
-
-
-def test_a_press_of_the_mouse_draws_nothing(page: Any) -> None:
-    mouse = page.page.mouse
-    mouse.move(*page.on_screen(-0.5, -0.6))
-    page.page.wait_for_timeout(500)
-    page.page.evaluate(COUNT_DRAWINGS)
-    mouse.down()
-    page.page.wait_for_timeout(300)
-    assert page.page.evaluate("() => window.__numDrawings") == 0
-    mouse.move(*page.on_screen(0.5, -0.6), steps=4)
-    page.wait(lambda: page.page.evaluate("() => window.__numDrawings") > 0)
-    mouse.up()
 
 
 def test_a_persons_own_push_is_called_theirs(page: Any) -> None:
