@@ -1,8 +1,10 @@
 """The laboratory's end of the reward-map process."""
 
+import time
 from collections import OrderedDict
 from collections.abc import Callable
 
+from app.links.giving_way import GivingWay
 from app.notices import NoticeBoard
 from app.processes.reward_map_messages import (
     CancelRewardMap,
@@ -24,8 +26,9 @@ class RewardMapLink:
 
     The process is started when a map is wanted for the first time. Finished maps of recent scenes
     are remembered, so that undoing a push shows the map at once. While a block is dragged, scenes
-    follow each other faster than maps: each map's coarsest level is completed, so that the field
-    on the table follows, and the finer ones are left to the scene that stays.
+    follow each other faster than maps: coarsest levels are completed, all that have not just begun
+    (`GivingWay`), so that the field on the table follows, and the finer ones are left to the scene
+    that stays.
 
     Args:
         num_workers: Processes that push in parallel.
@@ -42,6 +45,7 @@ class RewardMapLink:
         self._process: SupervisedProcess | None = None
         self._computing: RestState | None = None
         self._has_coarse = False
+        self._giving_way = GivingWay()
         self._failed_version = 0
         self._remembered: OrderedDict[Poses, RewardMapUpdate] = OrderedDict()
         self.snapshot: RewardMapSnapshot | None = None
@@ -63,8 +67,8 @@ class RewardMapLink:
         target = rest if is_wanted else None
         computing = self._computing
         if computing is not None and (target is None or target.version != computing.version):
-            is_soon_shown = target is not None and is_dragged and not self._has_coarse
-            if not is_soon_shown:
+            is_passing = target is not None and is_dragged and not self._has_coarse
+            if not is_passing or self._giving_way.give_way(time.monotonic()):
                 self._cancel()
         if target is not None and self._computing is None and not self._is_settled(target):
             self._begin(target)
@@ -89,7 +93,9 @@ class RewardMapLink:
         match message:
             case RewardMapUpdate() if computing and message.version == computing.version:
                 self._publish(message, computing.version)
-                self._has_coarse = True
+                if not self._has_coarse:
+                    self._has_coarse = True
+                    self._giving_way.finish(time.monotonic())
                 if message.progress >= 1.0:
                     self._remember(computing.scene.poses, message)
                     self._computing = None
@@ -121,6 +127,7 @@ class RewardMapLink:
         if self._process.send(question):
             self._computing = rest
             self._has_coarse = False
+            self._giving_way.begin(time.monotonic())
 
     def _cancel(self) -> None:
         self._computing = None

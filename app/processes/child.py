@@ -1,7 +1,6 @@
 """Where every child process begins."""
 
 import importlib
-import os
 import signal
 import sys
 import traceback
@@ -9,6 +8,7 @@ from dataclasses import dataclass
 
 from app.processes.pipes import Pipe
 from singulate.engine.parent_death import die_with_parent
+from singulate.engine.standing_back import stand_back
 
 
 @dataclass(frozen=True)
@@ -36,8 +36,7 @@ def run_child(
     """
     die_with_parent(parent_pid)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    if niceness:
-        os.nice(niceness)
+    stand_back(niceness)
     module_name, _, function_name = target.partition(":")
     try:
         getattr(importlib.import_module(module_name), function_name)(connection, *arguments)

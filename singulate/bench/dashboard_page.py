@@ -2,6 +2,7 @@
 
 import shutil
 import stat
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -195,6 +196,12 @@ def _nice_browser(directory: Path, niceness: int) -> Path:
     if executable is None:
         raise SingulateError(f"bench dashboard needs a browser: one of {', '.join(_BROWSERS)}")
     launcher = directory / f"browser-{niceness}"
-    launcher.write_text(f'#!/bin/sh\nexec nice -n {niceness} "{executable}" "$@"\n')
+    launcher.write_text(
+        f"#!{sys.executable}\n"
+        "import os, sys\n"
+        "from singulate.engine.standing_back import stand_back\n"
+        f"stand_back({niceness})\n"
+        f"os.execv({executable!r}, [{executable!r}, *sys.argv[1:]])\n"
+    )
     launcher.chmod(launcher.stat().st_mode | stat.S_IXUSR)
     return launcher

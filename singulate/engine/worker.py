@@ -9,6 +9,7 @@ from multiprocessing.connection import Connection
 
 from singulate.engine.messages import DropBatch, Finished, Ready, RunTask
 from singulate.engine.parent_death import die_with_parent
+from singulate.engine.standing_back import stand_back
 from singulate.engine.tool_box import ToolBox, one_line
 
 
@@ -16,7 +17,7 @@ def main(fd: int, parent_pid: int, niceness: int) -> None:
     """Serve tasks from the inherited socket `fd` until the parent is gone."""
     die_with_parent(parent_pid)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    os.nice(niceness)
+    stand_back(niceness)
     connection = Connection(fd)
     with suppress(EOFError, BrokenPipeError, ConnectionResetError):
         sys.path[:] = connection.recv()

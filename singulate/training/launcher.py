@@ -8,6 +8,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
+from singulate.engine.standing_back import set_back
 from singulate.exceptions import RunError
 from singulate.runs import log_tail
 from singulate.runs.run_directory import RunDirectory
@@ -83,7 +84,7 @@ def start_trainer(
     except OSError as error:
         raise RunError(f"{run_dir}: cannot be written ({error.strerror or error})") from error
     with suppress(OSError):
-        os.setpriority(os.PRIO_PROCESS, process.pid, os.nice(0) + _NICENESS)
+        set_back(process.pid, os.nice(0) + _NICENESS)
     return TrainerProcess(run_dir, process)
 
 
