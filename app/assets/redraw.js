@@ -64,7 +64,7 @@
     for (let i = 0; i < 8; i++) {
       corner.set(i & 1 ? max.x : min.x, i & 2 ? max.y : min.y, i & 4 ? max.z : min.z);
       corner.applyMatrix4(matrixWorld).applyMatrix4(camera.matrixWorldInverse);
-      if (corner.z > -camera.near) return EVERYWHERE;
+      if (!(corner.z <= -camera.near)) return EVERYWHERE;  // NaN, too
       corner.applyMatrix4(camera.projectionMatrix);
       box.left = Math.min(box.left, corner.x);
       box.right = Math.max(box.right, corner.x);

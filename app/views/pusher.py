@@ -21,6 +21,7 @@ class PusherView:
             PUSHER_COLOUR,
             (PUSHER_SIDE, PUSHER_SIDE, PUSHER_HEIGHT),
             visible=False,
+            cast_shadow=False,
         )
         self._shown: tuple[float, float, float, float] | None = None
 

@@ -177,14 +177,21 @@ def test_a_press_of_the_mouse_draws_nothing(probed: Any) -> None:
     mouse.up()
 
 
-def test_only_the_surroundings_of_a_moved_block_are_drawn(probed: Any) -> None:
+@pytest.mark.parametrize(
+    "act, undo",
+    [ACTS["a block in the hand"], ACTS["a push half way"]],
+    ids=["a block in the hand", "a push half way"],
+)
+def test_only_the_surroundings_of_what_moves_are_drawn(
+    act: Callable[[Any], None], undo: Callable[[Any], None], probed: Any
+) -> None:
     probed.page.evaluate("() => __probe.drawWhole()")
     probed.page.evaluate("() => __probe.stain()")
-    hold_a_block(probed)
+    act(probed)
     assert probed.page.evaluate("() => __probe.corner()") == STAIN
     probed.page.evaluate("() => __probe.drawWhole()")
     assert probed.page.evaluate("() => __probe.corner()") != STAIN
-    probed.page.mouse.up()
+    undo(probed)
 
 
 def test_what_was_overlooked_is_drawn_within_ten_seconds(probed: Any) -> None:
