@@ -29,7 +29,7 @@ def stand_back(niceness: int) -> None:
 
 
 def set_back(pid: int, niceness: int) -> None:
-    """Make a process this nice, and with it its session where it leads one.
+    """Make a process this nice, and its session too, where it leads one and Linux lets it.
 
     Args:
         pid: The process.
@@ -46,7 +46,8 @@ def set_back(pid: int, niceness: int) -> None:
     for _ in range(_ATTEMPTS):
         try:
             session.write_text(str(niceness))
+            return
         except BlockingIOError:
             time.sleep(_PAUSE_S)
-        else:
+        except OSError:
             return
