@@ -195,5 +195,7 @@ def test_only_the_surroundings_of_what_moves_are_drawn(
 
 
 def test_what_was_overlooked_is_drawn_within_ten_seconds(probed: Any) -> None:
+    probed.page.evaluate("() => __probe.drawWhole()")
     probed.page.evaluate("() => __probe.stain()")
+    assert probed.page.evaluate("() => __probe.corner()") == STAIN
     probed.wait(lambda: probed.page.evaluate("() => __probe.corner()") != STAIN, timeout_s=20.0)
