@@ -7,6 +7,7 @@ import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Literal
 
 import pytest
 from playwright.sync_api import Browser, BrowserContext, sync_playwright
@@ -90,12 +91,12 @@ def app_url(app_process: subprocess.Popen[str]) -> str:
 
 
 @pytest.fixture(scope="package")
-def open_page(browser: Browser, app_url: str) -> Iterator[Callable[[], LabPage]]:
-    """Opens windows of separate visitors."""
+def open_page(browser: Browser, app_url: str) -> Iterator[Callable[..., LabPage]]:
+    """Opens windows of separate visitors, whose systems may prefer a theme."""
     contexts: list[BrowserContext] = []
 
-    def open_one() -> LabPage:
-        contexts.append(browser.new_context(viewport=SIZE))  # type: ignore[arg-type]
+    def open_one(prefers: Literal["light", "dark"] = "light") -> LabPage:
+        contexts.append(browser.new_context(viewport=SIZE, color_scheme=prefers))  # type: ignore[arg-type]
         return LabPage(contexts[-1], app_url).open()
 
     yield open_one
@@ -104,7 +105,7 @@ def open_page(browser: Browser, app_url: str) -> Iterator[Callable[[], LabPage]]
 
 
 @pytest.fixture(scope="package")
-def shared_page(open_page: Callable[[], LabPage]) -> LabPage:
+def shared_page(open_page: Callable[..., LabPage]) -> LabPage:
     return open_page()
 
 

@@ -57,8 +57,9 @@ def shown_field(page: Any) -> str:
 WATCH_FIRST_LOOK = """(() => {
     const isLive = (name) => window.__viserMutable?.nodeRefFromName?.[name] !== undefined;
     const look = () => {
+        const hasAll = document.querySelector("#first-look script") !== null;
         const images = [...document.querySelectorAll("#first-look img")];
-        if (images.length && images.every((each) => each.complete)) {
+        if (hasAll && images.every((each) => each.complete)) {
             const widths = images.map((each) => each.getBoundingClientRect().width);
             window.__shown ??= [widths, isLive("/blocks/0")];
         }
@@ -171,6 +172,19 @@ def test_dark_and_light_are_both_drawn(page: Any) -> None:
     page.wait(lambda: pixels(page.picture("dark")).mean() < 110)
     page.page.get_by_role("button", name="light").first.click()
     page.wait(lambda: pixels(page.picture("light")).mean() > 140)
+
+
+def test_a_first_visit_has_the_theme_of_its_system_until_another_is_chosen(
+    open_page: Callable[..., Any],
+) -> None:
+    visitor = open_page(prefers="dark")
+    visitor.wait(lambda: pixels(visitor.picture("first-visit")).mean() < 110)
+    visitor.page.get_by_role("button", name="light").first.click()
+    visitor.wait(lambda: pixels(visitor.picture("first-visit")).mean() > 140)
+    visitor.reload()
+    assert pixels(visitor.picture("first-visit")).mean() > 140
+    assert visitor.errors == []
+    visitor.close()
 
 
 def test_c_looks_from_straight_above(page: Any) -> None:
