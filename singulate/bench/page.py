@@ -1,7 +1,7 @@
 """The tables of docs/performance.md, made from measured numbers."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from singulate.bench.measurement import Measurement
 from singulate.bench.results import BenchResults
@@ -9,6 +9,21 @@ from singulate.bench.soak import SoakedMemory, SoakResults
 from singulate.exceptions import InvalidValueError
 
 _SECTION = re.compile(r"(<!-- numbers: (?P<name>[\w-]+) -->\n).*?(<!-- end -->)", re.DOTALL)
+
+
+def check_page(text: str, benchmarks: Collection[str]) -> None:
+    """Check that these benchmarks' numbers, the machine and the memory fill all tables of a page.
+
+    Raises:
+        InvalidValueError: If there are no tables, or one is to be filled with something else.
+    """
+    names = [match["name"] for match in _SECTION.finditer(text)]
+    if not names:
+        raise InvalidValueError("page", "", "Markdown with lines like <!-- numbers: env -->")
+    known = (*benchmarks, "machine", "memory")
+    for name in names:
+        if name not in known:
+            raise InvalidValueError("numbers", name, ", ".join(known))
 
 
 def fill_page(text: str, results: BenchResults, soaked: SoakResults) -> str:
@@ -25,8 +40,7 @@ def fill_page(text: str, results: BenchResults, soaked: SoakResults) -> str:
     Raises:
         InvalidValueError: If there are no numbers of a name on the page.
     """
-    if not _SECTION.search(text):
-        raise InvalidValueError("page", "", "Markdown with lines like <!-- numbers: env -->")
+    check_page(text, results.benchmarks)
     return _SECTION.sub(lambda m: f"{m[1]}{_section(m['name'], results, soaked)}{m[3]}", text)
 
 
@@ -38,9 +52,6 @@ def _section(name: str, results: BenchResults, soaked: SoakResults) -> str:
         return f"{text[0].upper()}{text[1:]}.\n"
     if name == "memory":
         return "\n".join(_soaked(each) for each in (soaked.pushes, soaked.reward_maps))
-    if name not in results.benchmarks:
-        allowed = ", ".join((*results.benchmarks, "machine", "memory"))
-        raise InvalidValueError("numbers", name, allowed)
     measurements = results.benchmarks[name]
     curves = {each.axis: each for each in measurements if each.axis}
     tables = [_curves(axis, measurements) for axis in curves]

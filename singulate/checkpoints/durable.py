@@ -37,7 +37,7 @@ def replace_file(path: Path, data: bytes, is_durable: bool = True) -> None:
             not against a power cut.
 
     Raises:
-        OSError: If it cannot be written; the old file is then untouched.
+        OSError: If it cannot be written; it names the file, and the old one is untouched.
     """
     partial = path.with_name(f".{path.name}.{secrets.token_hex(4)}.partial")
     try:
@@ -46,8 +46,10 @@ def replace_file(path: Path, data: bytes, is_durable: bool = True) -> None:
         else:
             partial.write_bytes(data)
         partial.replace(path)
-    except BaseException:
+    except BaseException as error:
         partial.unlink(missing_ok=True)
+        if isinstance(error, OSError):
+            error.filename = str(path)
         raise
     if is_durable:
         sync_directory(path.parent)

@@ -17,7 +17,7 @@ from singulate.bench import (
     Measurement,
     describe_machine,
 )
-from singulate.bench.page import fill_page
+from singulate.bench.page import check_page, fill_page
 from singulate.bench.plot import check_plot_target, save_plot
 from singulate.bench.results import BenchResults, read_results
 from singulate.bench.soak import read_soak
@@ -86,9 +86,13 @@ def _run(args: argparse.Namespace) -> int:
             check_file_target(key, getattr(args, key))
     if args.plot is not None:
         check_plot_target(args.plot)
+    names = args.names or USUAL_BENCHMARKS
+    if args.page is not None and args.read is None:
+        check_page(_text_of(args.page), names)
+        read_soak(_memory_of(args.page))
     console = Console(stderr=args.json)
     if args.read is None:
-        results = _measure(args.names or USUAL_BENCHMARKS, options, console, not args.json)
+        results = _measure(names, options, console, not args.json)
     else:
         results = _read(args.read, args.names)
         if not args.json:
@@ -108,8 +112,19 @@ def _save(results: BenchResults, out: Path | None, plot: Path | None, page: Path
     if plot is not None:
         save_plot(results, plot)
     if page is not None:
-        soaked = read_soak(page.parent / "memory.json")
-        page.write_text(fill_page(page.read_text(), results, soaked))
+        page.write_text(fill_page(_text_of(page), results, read_soak(_memory_of(page))))
+
+
+def _memory_of(page: Path) -> Path:
+    return page.parent / "memory.json"
+
+
+def _text_of(page: Path) -> str:
+    try:
+        return page.read_text()
+    except (OSError, UnicodeDecodeError) as error:
+        why = error.strerror if isinstance(error, OSError) else "this is no text"
+        raise InvalidValueError("page", str(page), f"a page of Markdown ({why})") from None
 
 
 def _measure(

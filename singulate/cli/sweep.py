@@ -91,13 +91,17 @@ def _cells(args: argparse.Namespace) -> "list[Cell]":
 
     check_int("episodes", args.episodes, 1, 10_000_000)
     check_int("evaluation_seed", args.evaluation_seed, 0, 2**63 - 1)
+    agents = parse_names("agents", args.agents)
     fixed = dict(parse_setting("--set", text) for text in args.settings)
     axes: dict[str, Any] = dict(parse_setting("--vary", text) for text in args.axes)
+    given = [text.partition("=")[0] for text in args.settings + args.axes]
+    for key in given:
+        _check_setting(key, given.count(key), agents)
     for key, values in axes.items():
         if not isinstance(values, list) or not values:
             raise InvalidValueError("--vary", f"{key}={values}", "KEY=[V,W], a JSON list of values")
     return make_cells(
-        parse_names("agents", args.agents),
+        agents,
         parse_names("scenarios", args.scenarios),
         [fixed | combination for combination in combinations(axes)],
         parse_seeds("seeds", args.seeds),
@@ -105,6 +109,18 @@ def _cells(args: argparse.Namespace) -> "list[Cell]":
         episodes=args.episodes,
         evaluation_seed=args.evaluation_seed,
     )
+
+
+def _check_setting(key: str, num_given: int, agents: list[str]) -> None:
+    """Refuse what would be passed over without a word."""
+    if num_given > 1:
+        raise InvalidValueError("--set and --vary", key, "each setting once, in one of them")
+    if key == "env.scenario":
+        raise InvalidValueError("--set and --vary", key, "other settings; --scenarios for this one")
+    owner, dot, _ = key.rpartition(".")
+    if dot and owner not in ("env", *agents):
+        allowed = f"settings of env or of this sweep's agents, {', '.join(agents)}"
+        raise InvalidValueError("--set and --vary", key, allowed)
 
 
 def _write(args: argparse.Namespace, outcome: "Outcome") -> None:

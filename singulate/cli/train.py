@@ -77,7 +77,13 @@ def _run(args: argparse.Namespace) -> int:
     from singulate.training.trainer import train
 
     with TrainingBar(config.total_timesteps) as bar:
-        result = train(config, run_dir, resume=args.resume is not None, on_progress=bar.update)
+        result = train(
+            config,
+            run_dir,
+            resume=args.resume is not None,
+            on_progress=bar.update,
+            on_trouble=lambda reason: print(_waiting(run_dir, reason), file=sys.stderr),
+        )
     if args.json:
         print(json.dumps(_summary(result)))
     else:
@@ -170,6 +176,13 @@ def _new_run_dir(config: TrainingConfig) -> Path:
     directory = new_run_directory(default_runs_directory(), config.agent, config.env.scenario)
     print(f"Run directory: {directory}", file=sys.stderr)
     return directory
+
+
+def _waiting(run_dir: Path, reason: str) -> str:
+    return (
+        f"singulate: waiting: {reason}; once that is put right, "
+        f"singulate runs resume {run_dir} lets it go on"
+    )
 
 
 def _summary(result: "TrainingResult") -> dict[str, Any]:

@@ -146,7 +146,7 @@ def read_manifest(directory: Path) -> Manifest:
     try:
         content: dict[str, Any] = json.loads(path.read_bytes())
         if content["format"] != FORMAT or content["format_version"] != FORMAT_VERSION:
-            raise ValueError("not a data set of this version")
+            raise DatasetError(f"{path}: of another format; allowed: version {FORMAT_VERSION}")
         config = DatasetConfig(**content["config"])
         shards = {
             number: ShardEntry(**content["shards"][shard_name(number)])
@@ -162,6 +162,10 @@ def read_manifest(directory: Path) -> Manifest:
         ) from None
     except OSError as error:
         raise DatasetError(f"{path}: {error.strerror or error}") from None
-    except (ValueError, KeyError, TypeError) as error:
-        raise DatasetError(f"{path}: damaged ({type(error).__name__}: {error})") from None
+    except KeyError as error:
+        raise DatasetError(f"{path}: damaged ({error.args[0]} is missing)") from None
+    except TypeError:
+        raise DatasetError(f"{path}: damaged (a value of another type is expected)") from None
+    except ValueError as error:
+        raise DatasetError(f"{path}: damaged ({error})") from None
     return manifest

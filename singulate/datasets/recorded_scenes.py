@@ -35,8 +35,8 @@ class RecordedScenes:
         DatasetError: If it is missing, damaged or incomplete.
     """
 
-    def __init__(self, directory: Path) -> None:
-        self._directory = directory
+    def __init__(self, directory: str | Path) -> None:
+        self._directory = directory = Path(directory)
         self.manifest = read_manifest(directory)
         if not self.manifest.is_complete:
             raise DatasetError(f"{directory}: incomplete; run the command that builds it again")
@@ -58,7 +58,11 @@ class RecordedScenes:
         shard = self._shard(number)
         return RecordedScene(
             seed=int(shard.seeds[row]),
-            layout=tuple(Block(*map(float, block)) for block in shard.blocks[row]),
+            layout=tuple(
+                Block(*map(float, block))
+                for block in shard.blocks[row]
+                if not np.isnan(block).all()
+            ),
             mask=shard.masks[row],
             reward_map=shard.reward_maps[row].astype(np.float32),
             outcomes=shard.outcomes[row],

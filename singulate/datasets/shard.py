@@ -15,7 +15,10 @@ from singulate.datasets.scene_record import SceneRecord
 
 
 class Shard(NamedTuple):
-    """The arrays of a shard; see `SceneRecord` for what a row of each is."""
+    """The arrays of a shard; see `SceneRecord` for what a row of each is.
+
+    `blocks` is (scenes, N, 4) with the N of the scene that has most; what others lack is NaN.
+    """
 
     seeds: npt.NDArray[np.uint64]
     blocks: npt.NDArray[np.float64]
@@ -28,7 +31,7 @@ def encode_shard(records: Sequence[SceneRecord]) -> bytes:
     """The content of a file, the same bytes for the same scenes."""
     shard = Shard(
         seeds=np.array([record.seed for record in records], np.uint64),
-        blocks=np.stack([record.blocks for record in records]),
+        blocks=_stack_blocks([record.blocks for record in records]),
         masks=np.stack([record.mask for record in records]),
         reward_maps=np.stack([record.reward_map for record in records]),
         outcomes=np.stack([record.outcomes for record in records]),
@@ -36,6 +39,13 @@ def encode_shard(records: Sequence[SceneRecord]) -> bytes:
     buffer = io.BytesIO()
     np.savez_compressed(buffer, **shard._asdict())
     return buffer.getvalue()
+
+
+def _stack_blocks(blocks: Sequence[npt.NDArray[np.float64]]) -> npt.NDArray[np.float64]:
+    stacked = np.full((len(blocks), max(map(len, blocks)), 4), np.nan)
+    for row, each in zip(stacked, blocks, strict=True):
+        row[: len(each)] = each
+    return stacked
 
 
 def is_intact(path: Path, entry: ShardEntry) -> bool:

@@ -25,7 +25,7 @@ class TorchScenes(Dataset[dict[str, torch.Tensor]]):
         DatasetError: If it is missing, damaged or incomplete.
     """
 
-    def __init__(self, directory: Path) -> None:
+    def __init__(self, directory: str | Path) -> None:
         self._directory = directory
         self._scenes = RecordedScenes(directory)
 

@@ -144,12 +144,17 @@ def _train(config: TrainingConfig, run_dir: Path) -> "TrainingResult":
     _wait_for_lock(run_dir)
     if not RunDirectory(run_dir).config_path.exists():
         shutil.rmtree(run_dir, ignore_errors=True)
-        return train(config, run_dir)
+        return train(config, run_dir, on_trouble=_give_up)
     try:
-        return train(config, run_dir, resume=True)
+        return train(config, run_dir, resume=True, on_trouble=_give_up)
     except ResumeError:
         shutil.rmtree(run_dir)
-        return train(config, run_dir)
+        return train(config, run_dir, on_trouble=_give_up)
+
+
+def _give_up(reason: str) -> None:
+    """Nobody is there to make room and to resume a cell."""
+    raise RunError(reason)
 
 
 def _wait_for_lock(run_dir: Path) -> None:

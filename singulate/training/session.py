@@ -54,12 +54,15 @@ class Links:
         heartbeat: Where the state is shown.
         controls: What people want.
         on_progress: Called after every push.
+        on_trouble: Called when the training waits because something cannot be written, with the
+            reason; it may raise, which ends the training.
     """
 
     telemetry: Telemetry
     heartbeat: Heartbeat
     controls: Controls
     on_progress: Callable[[Progress], None] | None = None
+    on_trouble: Callable[[str], None] | None = None
 
 
 class TrainingStopped(Exception):  # noqa: N818 - no error: leaves stable-baselines3's loop
@@ -94,6 +97,7 @@ class TrainingSession:
         self.controls = links.controls
         self.metrics = EpisodeMetrics(config.num_envs)
         self._on_progress = links.on_progress
+        self._on_trouble = links.on_trouble
         self._speed = SpeedMeter()
         self._checkpoint_step = -1
 
@@ -150,6 +154,7 @@ class TrainingSession:
     def between_pushes(self) -> None:
         """Wait while paused, in the middle of a rollout, where no checkpoint can be saved."""
         while self.controls.is_pausing:
+            self._tell_trouble()
             self.controls.wait_for_resume()
             self._go_on()
 
@@ -167,6 +172,7 @@ class TrainingSession:
                 raise TrainingStopped
             if not self.controls.is_pausing:
                 return
+            self._tell_trouble()
             self.controls.wait_while_paused()
             self._go_on()
 
@@ -233,6 +239,10 @@ class TrainingSession:
             self.controls.request("pause")
         if error != self.heartbeat.status.error:
             self.heartbeat.update(error=error)
+
+    def _tell_trouble(self) -> None:
+        if self._on_trouble is not None and self.heartbeat.status.error:
+            self._on_trouble(self.heartbeat.status.error)
 
     def _go_on(self) -> None:
         """After a pause: write what could not be written, or pause again."""

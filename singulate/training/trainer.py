@@ -44,6 +44,7 @@ def train(
     run_dir: Path,
     resume: bool = False,
     on_progress: Callable[[Progress], None] | None = None,
+    on_trouble: Callable[[str], None] | None = None,
 ) -> TrainingResult:
     """Train until the steps are done or somebody asks to stop.
 
@@ -56,6 +57,9 @@ def train(
         resume: Continue from the newest checkpoint: the agent learns exactly as if the run had
             never stopped. Running means of the metrics begin anew.
         on_progress: Called after every push.
+        on_trouble: Called when the training waits because something cannot be written, a full
+            disk say, with the reason. It goes on once somebody resumes the run; what this raises
+            ends the training instead.
 
     Raises:
         RunError: If the directory holds a run already (or none, on `resume`), is being written by
@@ -91,7 +95,7 @@ def train(
             text = json.dumps(config.to_dict(), indent=2) + "\n"
             replace_file(run.config_path, text.encode())
         telemetry = stack.enter_context(Telemetry(run_dir, resumed_step))
-        links = Links(telemetry, heartbeat, controls, on_progress)
+        links = Links(telemetry, heartbeat, controls, on_progress, on_trouble)
         session = TrainingSession(config, run_dir, model, envs, links)
         if resumed_step:
             session.mark_checkpoint()

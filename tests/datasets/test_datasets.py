@@ -14,11 +14,12 @@ import pytest
 from torch.utils.data import DataLoader
 
 from singulate.cli import main
-from singulate.datasets import DatasetError, RecordedScenes
+from singulate.datasets import DatasetConfig, DatasetError, RecordedScenes
 from singulate.datasets.building import build_dataset, plan_dataset
 from singulate.datasets.torch_scenes import TorchScenes
 from singulate.engine import Engine
 from singulate.envs import PushEnv, scene_seed
+from singulate.geometry import standing_pose
 from singulate.outcomes import OUTCOMES
 from singulate.rewardmap import RewardMapRequest, compute_reward_map
 
@@ -51,6 +52,19 @@ def test_numpy_alone_reads_a_shard(dataset: Path) -> None:
             "reward_maps": (1, 4, 10, 10),
             "outcomes": (1, 4, 10, 10),
         }
+
+
+def test_scenes_of_a_mix_keep_their_numbers_of_blocks(tmp_path: Path, engine: Engine) -> None:
+    config = DatasetConfig("random-2+random-3", num_scenes=8, resolution=4, shard_size=8)
+    build_dataset(plan_dataset(config, tmp_path)[0], tmp_path, engine)
+    scenes = RecordedScenes(str(tmp_path))
+    layouts = [scenes[number].layout for number in range(len(scenes))]
+    assert {len(layout) for layout in layouts} == {2, 3}
+    env = PushEnv(scenario=config.scenario)
+    for number, layout in enumerate(layouts):
+        _, info = env.reset(seed=scene_seed("dataset", config.seed, number))
+        assert tuple(map(standing_pose, layout)) == info["poses"]
+    env.close()
 
 
 def test_pytorch_loads_batches(dataset: Path) -> None:
@@ -141,6 +155,25 @@ def test_a_damaged_manifest_is_named(
     (tmp_path / "dataset.json").write_text(text.replace('"seed": 3', '"seed": 4'))
     assert main(["dataset", "--out", str(tmp_path)]) == 2
     assert "dataset.json: damaged" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("manifest", "text"),
+    [
+        ("{}", "damaged (format is missing)"),
+        ("[]", "damaged (a value of another type is expected)"),
+        ("{", "damaged (Expecting property name"),
+        (
+            '{"format": "singulate-reward-maps", "format_version": 9}',
+            "of another format; allowed: version 1",
+        ),
+    ],
+)
+def test_what_is_wrong_with_a_manifest_is_told(manifest: str, text: str, tmp_path: Path) -> None:
+    (tmp_path / "dataset.json").write_text(manifest)
+    with pytest.raises(DatasetError) as caught:
+        RecordedScenes(tmp_path)
+    assert text in str(caught.value)
 
 
 def test_a_directory_with_other_files_is_refused_and_left_alone(

@@ -17,7 +17,7 @@ from PIL import Image
 from singulate.checkpoints.durable import replace_file
 from singulate.cli import main
 from singulate.engine import Engine, LocalEngine
-from singulate.exceptions import CheckpointError
+from singulate.exceptions import CheckpointError, RunError
 from singulate.experiments.cell import Cell, CellTask, run_cell
 from singulate.experiments.cell_store import CellStore
 from singulate.experiments.grid import make_cells
@@ -154,6 +154,10 @@ def test_settings_reach_their_owner_and_equal_cells_are_one() -> None:
         (["--scenarios", "random-99"], "scenario: 'random-99' is not allowed"),
         (["--seeds", "4-2"], "seeds: '4-2' is not allowed"),
         (["--vary", "learning_rate=0.1"], "--vary: 'learning_rate=0.1' is not allowed"),
+        (["--set", "net_arch=[4]"], "'net_arch' is not allowed; allowed: each setting once"),
+        (["--vary", "batch_size=[4]"], "'batch_size' is not allowed; allowed: each setting once"),
+        (["--vary", 'env.scenario=["random-2"]'], "--scenarios for this one"),
+        (["--set", "ppo.n_steps=8"], "settings of env or of this sweep's agents, dqn"),
         (["--set", "colour=1"], "colour"),
         (["--set", "env.colour=1"], "colour"),
         (["--steps", "0"], "steps: 0 is not allowed"),
@@ -171,19 +175,23 @@ def test_bad_options_are_one_line_and_nothing_is_trained(
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_checkpoint_that_cannot_be_written_costs_no_earlier_one(tmp_path: Path) -> None:
-    (cell,) = small_cells(60, 1)
+@pytest.mark.parametrize(("at", "error", "last"), [(40, RunError, 20), (60, CheckpointError, 40)])
+def test_a_checkpoint_that_cannot_be_written_ends_the_cell_and_costs_no_earlier_one(
+    at: int, error: type[Exception], last: int, tmp_path: Path
+) -> None:
+    (small,) = small_cells(60, 1)
+    cell = replace(small, training=replace(small.training, checkpoint_every=40))
     task = CellTask(cell, str(tmp_path / "run"))
     interrupted = replace(cell.training, total_timesteps=20)
     train(interrupted, tmp_path / "run")
     run = RunDirectory(tmp_path / "run")
     replace_file(run.config_path, json.dumps(cell.training.to_dict()).encode())
-    foreign = run.checkpoint_path(60)
+    foreign = run.checkpoint_path(at)
     foreign.mkdir()
     (foreign / "notes.txt").touch()
-    with pytest.raises(CheckpointError, match="is not a checkpoint"):
+    with pytest.raises(error, match="is not a checkpoint"):
         run_cell(None, task)
-    assert run.latest_checkpoint() == run.checkpoint_path(20)
+    assert run.latest_checkpoint() == run.checkpoint_path(last)
     (foreign / "notes.txt").unlink()
     foreign.rmdir()
     assert run_cell(None, task).num_steps == 60

@@ -23,7 +23,8 @@ def test_a_blocked_record_pauses_until_it_can_be_written(
 ) -> None:
     monkeypatch.setattr("singulate.runs.record.LOCK_TIMEOUT_S", 0.1)
     run_dir = tmp_path / "run"
-    training = _start(make_config(agent, 100_000), run_dir)
+    told: list[str] = []
+    training = _start(make_config(agent, 100_000), run_dir, on_trouble=told.append)
     _wait(lambda: RunReader(run_dir).last_step() > 20)
     with _blocked_record(run_dir):
         _wait(lambda: read_status(run_dir).state == "paused")
@@ -35,6 +36,7 @@ def test_a_blocked_record_pauses_until_it_can_be_written(
         _wait(lambda: read_status(run_dir).state == "paused")
         assert "record.sqlite: cannot be written" in read_status(run_dir).error
         assert RunDirectory(run_dir).latest_checkpoint() == saved
+        assert read_status(run_dir).error in told
     paused_at = read_status(run_dir).num_steps
     send_control(run_dir, "resume")
     _wait(lambda: RunReader(run_dir).last_step() > paused_at + 5)
@@ -43,6 +45,25 @@ def test_a_blocked_record_pauses_until_it_can_be_written(
     training.join(timeout=60)
     steps = [push.step for push in RunReader(run_dir).pushes_since(limit=100_000)]
     assert steps == list(range(1, len(steps) + 1))
+
+
+def test_whoever_started_it_may_end_it_rather_than_wait(
+    tmp_path: Path, make_config: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("singulate.runs.record.LOCK_TIMEOUT_S", 0.1)
+
+    def give_up(reason: str) -> None:
+        raise RunError(f"no room: {reason}")
+
+    run_dir = tmp_path / "run"
+    errors: list[RunError] = []
+    training = _start(make_config("dqn", 100_000), run_dir, errors, give_up)
+    _wait(lambda: RunReader(run_dir).last_step() > 5)
+    with _blocked_record(run_dir):
+        training.join(timeout=60)
+    assert not training.is_alive()
+    assert read_status(run_dir).state == "failed"
+    assert "cannot be written" in str(errors[0])
 
 
 def test_stopping_saves_the_checkpoint_even_if_the_record_is_blocked(
@@ -88,10 +109,15 @@ def test_event_files_survive_a_full_disk(tmp_path: Path) -> None:
     assert done.stdout == "alive\n", done.stderr
 
 
-def _start(config: Any, run_dir: Path, errors: list[RunError] | None = None) -> threading.Thread:
+def _start(
+    config: Any,
+    run_dir: Path,
+    errors: list[RunError] | None = None,
+    on_trouble: Callable[[str], None] | None = None,
+) -> threading.Thread:
     def run() -> None:
         try:
-            train(config, run_dir)
+            train(config, run_dir, on_trouble=on_trouble)
         except RunError as error:
             if errors is None:
                 raise
