@@ -84,8 +84,10 @@ def read_manifest(directory: Path) -> Manifest:
         CheckpointError: If the directory is no checkpoint or the manifest is damaged.
     """
     path = directory / MANIFEST_NAME
-    if not directory.is_dir():
+    if not directory.exists():
         raise CheckpointError(f"{directory}: there is no such checkpoint directory")
+    if not directory.is_dir():
+        raise CheckpointError(f"{directory}: not a singulate checkpoint, which is a directory")
     if not path.exists():
         raise CheckpointError(f"{directory}: not a singulate checkpoint, it has no {MANIFEST_NAME}")
     with _open(path, None, MAX_MANIFEST_BYTES) as file:

@@ -128,7 +128,7 @@ def test_missing_directory(tmp_path: Path) -> None:
 
 def test_a_plain_file_is_no_checkpoint(tmp_path: Path) -> None:
     (tmp_path / "model.zip").write_bytes(b"PK")
-    with pytest.raises(CheckpointError, match="no such checkpoint directory"):
+    with pytest.raises(CheckpointError, match="not a singulate checkpoint, which is a directory"):
         read_checkpoint(tmp_path / "model.zip")
 
 
