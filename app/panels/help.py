@@ -5,7 +5,7 @@ KEYS = (
     ("N", "one step of the push"),
     ("R", "reset the scene"),
     ("Z", "undo"),
-    ("1 2 3 4", "push up, right, down, left"),
+    ("1 2 3 4", "the next push goes up, right, down, left"),
     ("P", "let the agent push"),
     ("T", "train, pause or resume training"),
     ("F / G", "next / previous field on the table"),

@@ -55,13 +55,17 @@ def push_report_html(report: PushReport | None, own_name: str = "") -> str:
     x, y = report.push.start
     outcome = OUTCOMES.get(report.outcome, report.outcome)
     direction = report.push.nearest_direction.label
-    where = f"{name_for(own_name, report.by)}: {direction} from ({x:.2f}, {y:.2f}) m"
+    where = f"{name_for(own_name, report.by)}: {direction} from ({_metres(x)}, {_metres(y)}) m"
     return block(
         title(f"Last push: {outcome}"),
         dimmed(where),
         '<div style="display:flex;gap:16px;padding-top:4px">'
         f'<div style="flex:1">{_terms_table(report)}</div>{_segmentations(report)}</div>',
     )
+
+
+def _metres(value: float) -> str:
+    return f"{round(value, 2) + 0.0:.2f}"  # no -0.00
 
 
 def _terms_table(report: PushReport) -> str:

@@ -30,7 +30,7 @@ def _legend_html(snapshot: Snapshot, key: str, draped: DrapedField | None) -> st
     if kind.needs & {"q_map", "start_density"}:
         notes.append(policy_line(snapshot))
     if draped is None:
-        return block(title(kind.label, "nothing to show yet"), *map(dimmed, notes))
+        return block(title(kind.label, "nothing to show"), *map(dimmed, notes))
     if len(notes) == 1:
         return block(title(draped.label, notes[0]), draped.legend)
     return block(title(draped.label), draped.legend, *map(dimmed, notes))

@@ -7,13 +7,14 @@ from typing import Any, Literal, Union, get_args, get_origin
 from singulate.finite import is_finite_number
 
 MAX_TEXT = 10_000
-MAX_MAGNITUDE = 1e9
+MAX_MAGNITUDE = 2**31 - 1
+"""The largest seed."""
 
 
 def conforms(value: object, annotation: Any) -> bool:
     """Check data against an annotation of one of viser's messages.
 
-    Numbers have to be finite and below `MAX_MAGNITUDE`, texts at most `MAX_TEXT` long; an int is
+    Numbers have to be finite and at most `MAX_MAGNITUDE`, texts at most `MAX_TEXT` long; an int is
     accepted as a float, since Javascript has only one kind of number.
 
     Args:

@@ -20,8 +20,8 @@ _MAX_REPLACED = 500
 class Stage:
     """Owns the Bullet connection that pictures with the table are taken of.
 
-    Its blocks are a pool: block i is moved to where it stands in the next scene, and replaced only
-    where its side changes.
+    Its blocks are a pool: block i is moved to where it stands in the next scene. They are replaced
+    where a block has another side than before.
 
     Args:
         workspace: The square that the table covers.
@@ -53,23 +53,25 @@ class Stage:
             move_body(self.client, body, OUT_OF_SIGHT, UPRIGHT)
 
     def _fit_pool(self, poses: Poses) -> None:
-        """Give every block a body of its side; blocks of one side are made together."""
-        missing: dict[float, list[int]] = {}
-        for i, pose in enumerate(poses):
-            if i >= len(self._pool) or self._pool[i][1] != pose.side:
-                missing.setdefault(pose.side, []).append(i)
-        made = [pair for side, indices in missing.items() for pair in self._make(side, indices)]
-        for i, body, side in sorted(made):
-            for replaced, _ in self._pool[i : i + 1]:
-                pybullet.removeBody(replaced, physicsClientId=self.client)
-                self._num_replaced += 1
-            self._pool[i : i + 1] = [(body, side)]
+        """Give every block a body of its side; where one has none, all are made anew.
 
-    def _make(self, side: float, indices: list[int]) -> list[tuple[int, int, float]]:
-        """(Index, body, side) of new blocks."""
-        colours = [block_colour(i) for i in indices]
-        bodies = add_visible_boxes(self.client, solid_half_extents(side), colours)
-        return [(i, body, side) for i, body in zip(indices, bodies, strict=True)]
+        Of boxes that are made together, pybullet knows the first body and takes the others for the
+        next ones. They are, as long as bodies are taken away in the reverse order of their making,
+        all of them: Bullet gives numbers out again, the last one that came free first.
+        """
+        sides = [pose.side for pose in poses]
+        if [side for _, side in self._pool[: len(sides)]] == sides:
+            return
+        for body in sorted((body for body, _ in self._pool), reverse=True):
+            pybullet.removeBody(body, physicsClientId=self.client)
+        self._num_replaced += len(self._pool)
+        bodies: dict[int, int] = {}
+        for side in dict.fromkeys(sides):
+            indices = [i for i, each in enumerate(sides) if each == side]
+            colours = [block_colour(i) for i in indices]
+            made = add_visible_boxes(self.client, solid_half_extents(side), colours)
+            bodies.update(zip(indices, made, strict=True))
+        self._pool = [(bodies[i], side) for i, side in enumerate(sides)]
 
     def _clear(self) -> None:
         pybullet.resetSimulation(physicsClientId=self.client)

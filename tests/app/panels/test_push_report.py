@@ -15,6 +15,12 @@ def test_terms_prediction_and_error_are_listed(make_report):
     assert html.count("<img") == 2
 
 
+def test_zero_has_no_sign(make_report):
+    report = make_report()
+    near = replace(report, push=replace(report.push, start=(-0.004, 0.0049)))
+    assert "from (0.00, 0.00) m" in push_report_html(near)
+
+
 def test_a_policy_that_cannot_predict_leaves_a_dash(make_report):
     html = push_report_html(make_report(predicted=None))
     assert "\N{EN DASH}" in html

@@ -10,6 +10,7 @@ import viser
 from viser import _messages
 from websockets.exceptions import ConnectionClosedError
 
+from app.choices import MAX_SEED
 from app.security import is_acceptable
 from app.server import MAX_MESSAGE_BYTES
 
@@ -31,6 +32,14 @@ def test_a_slider_takes_only_numbers_in_its_range(
     tell(browser, update(slider, value=5.0))
     eventually(lambda: slider.value != 1.0)
     assert slider.value == 5.0
+
+
+def test_every_seed_that_a_box_allows_arrives(
+    door: Any, tell: Send, eventually: Eventually
+) -> None:
+    box = door.server.gui.add_number("seed", 0, min=0, max=MAX_SEED, step=1)
+    tell(door.enter(), update(box, value=MAX_SEED))
+    eventually(lambda: box.value == MAX_SEED)
 
 
 def test_attributes_of_a_handle_cannot_be_overwritten(
