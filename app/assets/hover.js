@@ -21,7 +21,7 @@
     return distance > 0 ? eye.addScaledVector(ray, distance) : null;
   };
 
-  window.addEventListener("pointermove", (event) => {
+  const follow = (event) => {
     const viewer = window.__viserMutable;
     const node = viewer?.nodeRefFromName?.[NODE];
     const pose = viewer?.nodePoseData?.[NODE];
@@ -31,5 +31,9 @@
     pose.position = [point.x, point.y, HEIGHT];
     pose.poseUpdateState = "needsUpdate";
     viewer.requestRender();
-  }, { passive: true, signal: window.__singulateHover.signal });
+  };
+  // Nothing is followed while a button is pressed; once it is released, the pointer may rest.
+  for (const kind of ["pointermove", "pointerup"]) {
+    window.addEventListener(kind, follow, { passive: true, signal: window.__singulateHover.signal });
+  }
 })();

@@ -114,6 +114,7 @@ def page(shared_page: LabPage) -> Iterator[LabPage]:
     """The first visitor's window with the first scene at rest; it must stay free of errors."""
     shared_page.wait(lambda: not shared_page.is_pushing)
     shared_page.press("r")
+    shared_page.wait(lambda: "rearranged" not in shared_page.text)
     shared_page.page.wait_for_function(IS_STEADY, timeout=60_000, polling=200)
     yield shared_page
     assert shared_page.errors == []

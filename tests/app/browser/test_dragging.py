@@ -46,6 +46,15 @@ def test_a_block_is_not_dragged_through_another(page: Any) -> None:
     assert max(abs(moved[0] - other[0]), abs(moved[1] - other[1])) > sides - 1e-3
 
 
+def test_the_aim_is_where_a_block_was_let_go(page: Any) -> None:
+    page.grab_block(0)
+    page.drag_block(0, -0.6, 0.5)
+    page.page.mouse.up()
+    # The pointer is on top of the block, so what is under it on the table lies behind it.
+    page.wait(lambda: math.dist(page.position("/aim")[:2], (-0.6, 0.5)) < 0.25)
+    page.wait_for_text("rearranged")
+
+
 def test_shift_turns_a_block_in_its_place(page: Any) -> None:
     x, y, z = page.position("/blocks/0")
     column, row = page.on_screen(x, y, 2 * z)
