@@ -4,11 +4,12 @@ import types
 from collections.abc import Callable, Mapping
 from typing import Any, Literal, Union, get_args, get_origin
 
+from app.choices import MAX_SEED
 from singulate.finite import is_finite_number
 
 MAX_TEXT = 10_000
-MAX_MAGNITUDE = 2**31 - 1
-"""The largest seed."""
+MAX_MAGNITUDE = MAX_SEED
+"""No box of the page takes more."""
 
 
 def conforms(value: object, annotation: Any) -> bool:

@@ -1,6 +1,9 @@
 """Boxes in Bullet: solid ones for physics, visible ones for the camera.
 
-Boxes of one size are added in one go: most of what a new body costs, Bullet pays once a call.
+Boxes of one size are added in one go: most of what a new body costs, Bullet pays once a call. Of
+such boxes pybullet knows one number and takes the others for its neighbours. Bullet gives numbers
+out again, the last one that came free first; so whoever removes boxes has to remove all of them, in
+the reverse order of their making, before more are added.
 """
 
 from collections.abc import Sequence

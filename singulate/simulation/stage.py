@@ -53,12 +53,7 @@ class Stage:
             move_body(self.client, body, OUT_OF_SIGHT, UPRIGHT)
 
     def _fit_pool(self, poses: Poses) -> None:
-        """Give every block a body of its side; where one has none, all are made anew.
-
-        Of boxes that are made together, pybullet knows the first body and takes the others for the
-        next ones. They are, as long as bodies are taken away in the reverse order of their making,
-        all of them: Bullet gives numbers out again, the last one that came free first.
-        """
+        """Give every block a body of its side; where one has none, all are made anew."""
         sides = [pose.side for pose in poses]
         if [side for _, side in self._pool[: len(sides)]] == sides:
             return
