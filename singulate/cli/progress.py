@@ -10,7 +10,7 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
 if TYPE_CHECKING:
-    from singulate.training.session import Progress as TrainingProgress
+    from singulate.training.links import Progress as TrainingProgress
 
 MIN_INTERVAL_S = 0.1
 

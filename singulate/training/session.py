@@ -1,8 +1,8 @@
 """One training under way: what happens after each push and at each safe point."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -11,58 +11,14 @@ from stable_baselines3.common.base_class import BaseAlgorithm
 from singulate.agents.loading import tensors_of
 from singulate.checkpoints import Manifest, prune, save_checkpoint
 from singulate.exceptions import CheckpointError, RunError
-from singulate.runs import Heartbeat, RunDirectory
+from singulate.runs import RunDirectory
 from singulate.runs.record import METRICS_EVERY
 from singulate.training.config import TrainingConfig
-from singulate.training.controls import Controls
 from singulate.training.envs import TrainingEnvs
+from singulate.training.links import Links, Progress
 from singulate.training.metrics import EpisodeMetrics, model_metrics
 from singulate.training.speed import SpeedMeter
-from singulate.training.telemetry import Telemetry
 from singulate.training.training_state import capture_training
-
-
-@dataclass(frozen=True)
-class Progress:
-    """How far a training is, for whoever waits for it.
-
-    Attributes:
-        num_steps: Pushes done.
-        total_steps: Pushes asked for.
-        pushes_per_second: Current speed.
-        eta_s: Time left [s], None while unknown.
-        num_episodes: The last episodes that this process has seen, at most a thousand.
-        success_rate: Share of successes among them.
-        mean_reward: Their mean reward.
-    """
-
-    num_steps: int
-    total_steps: int
-    pushes_per_second: float
-    eta_s: float | None
-    num_episodes: int
-    success_rate: float
-    mean_reward: float
-
-
-@dataclass(frozen=True)
-class Links:
-    """A training's links to the world.
-
-    Attributes:
-        telemetry: Where pushes and metrics go.
-        heartbeat: Where the state is shown.
-        controls: What people want.
-        on_progress: Called after every push.
-        on_trouble: Called when the training waits because something cannot be written, with the
-            reason; it may raise, which ends the training.
-    """
-
-    telemetry: Telemetry
-    heartbeat: Heartbeat
-    controls: Controls
-    on_progress: Callable[[Progress], None] | None = None
-    on_trouble: Callable[[str], None] | None = None
 
 
 class TrainingStopped(Exception):  # noqa: N818 - no error: leaves stable-baselines3's loop

@@ -14,9 +14,10 @@ from singulate.training.callback import SessionCallback
 from singulate.training.config import TrainingConfig
 from singulate.training.controls import Controls, stop_on_signals
 from singulate.training.envs import make_training_envs
+from singulate.training.links import Links, Progress
 from singulate.training.model import build_training_model, encoder_of
 from singulate.training.resuming import resume_training
-from singulate.training.session import Links, Progress, TrainingSession, TrainingStopped
+from singulate.training.session import TrainingSession, TrainingStopped
 from singulate.training.telemetry import Telemetry
 
 

@@ -10,7 +10,7 @@ import pytest
 from singulate.agents.loading import load_policy
 from singulate.exceptions import RunError
 from singulate.runs import RunDirectory, RunLock, RunReader, read_status, send_control
-from singulate.training.session import Progress
+from singulate.training.links import Progress
 from singulate.training.trainer import TrainingResult, train
 
 

@@ -18,7 +18,8 @@ import pytest
 from singulate.envs import EnvConfig
 from singulate.runs import RunReader, read_status
 from singulate.training.episode_state import EpisodeState
-from singulate.training.session import Progress, TrainingSession
+from singulate.training.links import Progress
+from singulate.training.session import TrainingSession
 from singulate.training.trainer import TrainingResult, train
 from singulate.training.workers.messages import Act, Acted, Restore, Settings
 from singulate.training.workers.supervisor import Supervisor, WorkerError
